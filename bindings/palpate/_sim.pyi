@@ -2735,6 +2735,7 @@ class SoftBody:
         iterations: int = ...,
         far_compliance: ArrayLike = ...,
         contact_facets: bool = ...,
+        tied_holds: bool = ...,
     ) -> None:
         """Copies its tissue.
 
@@ -2772,6 +2773,10 @@ class SoftBody:
     contact_facets: bool
     """Of a solid with a contact_modulus: a ball feels how curved the facets under it are; else
     as curved as vertices are on the mean.
+    """
+    tied_holds: bool
+    """Of a body with a contact_modulus: what a tool holds gives way as tissue does under it;
+    else as the mesh does where it is fastened.
     """
     @property
     def far_compliance(self) -> NDArray[np.float64]:
@@ -2811,7 +2816,18 @@ class SoftBody:
     def __getstate__(
         self, /
     ) -> tuple[
-        object, object, object, object, object, object, object, object, object, object, object
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:

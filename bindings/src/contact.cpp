@@ -34,6 +34,8 @@ py::dtype row_dtype<ToolState::Hold>() {
       .field("stiffness", &ToolState::Hold::stiffness)
       .field("offset", &ToolState::Hold::offset)
       .field("body", &ToolState::Hold::body)
+      .field("normal", &ToolState::Hold::normal)
+      .field("sideways", &ToolState::Hold::sideways)
       .dtype();
 }
 

@@ -60,6 +60,9 @@ void bind_body_fields(py::class_<SoftBody>& body) {
       .def_readwrite("contact_facets", &SoftBody::contact_facets,
                      "Of a solid with a contact_modulus: a ball feels how curved the facets under "
                      "it are; else as curved as vertices are on the mean.")
+      .def_readwrite("tied_holds", &SoftBody::tied_holds,
+                     "Of a body with a contact_modulus: what a tool holds gives way as tissue does "
+                     "under it; else as the mesh does where it is fastened.")
       .def_property(
           "far_compliance",
           [](const SoftBody& self) {
@@ -108,7 +111,7 @@ void bind_body(py::module_& m) {
   body.def(py::init([](const TissueModel* tissue, int substeps, int substeps_max,
                        double force_error, Kernel kernel, Integrator integrator,
                        const std::string& simd_target, double contact_modulus, int iterations,
-                       const Numbers& far_compliance, bool contact_facets) {
+                       const Numbers& far_compliance, bool contact_facets, bool tied_holds) {
              SoftBody made;
              if (tissue) made.tissue = *tissue;
              made.substeps = substeps;
@@ -121,6 +124,7 @@ void bind_body(py::module_& m) {
              made.iterations = iterations;
              made.far_compliance = copy_tensors(far_compliance, "far_compliance");
              made.contact_facets = contact_facets;
+             made.tied_holds = tied_holds;
              return made;
            }),
            py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
@@ -128,12 +132,13 @@ void bind_body(py::module_& m) {
            "kernel"_a = usual.kernel, "integrator"_a = usual.integrator,
            "simd_target"_a = usual.simd_target, "contact_modulus"_a = usual.contact_modulus,
            "iterations"_a = usual.iterations, "far_compliance"_a = py::tuple(),
-           "contact_facets"_a = usual.contact_facets, "Copies its tissue.");
+           "contact_facets"_a = usual.contact_facets, "tied_holds"_a = usual.tied_holds,
+           "Copies its tissue.");
   bind_body_fields(body);
   def_value(body, &SoftBody::tissue, &SoftBody::substeps, &SoftBody::substeps_max,
             &SoftBody::force_error, &SoftBody::kernel, &SoftBody::integrator,
             &SoftBody::simd_target, &SoftBody::contact_modulus, &SoftBody::iterations,
-            &SoftBody::far_compliance, &SoftBody::contact_facets);
+            &SoftBody::far_compliance, &SoftBody::contact_facets, &SoftBody::tied_holds);
   def_summary(body, &describe_body);
 }
 

@@ -24,11 +24,12 @@ Json print_tissue(const TissueModel& tissue) {
 }
 
 /// A law of contact beside the hard one, and which form of it: the second has walls of prisms too,
-/// the third feels facets.
+/// the third feels facets; of the fourth and fifth, with walls and with facets, holds are tied.
 constexpr const char* kNearField = "near_field";
-constexpr int kWallVersion = 2, kFacetVersion = 3;
+constexpr int kWallVersion = 2, kFacetVersion = 3, kTiedVersion = 4, kTiedFacetVersion = 5;
 
 int find_contact_version(const SoftBody& body) {
+  if (body.tied_holds) return body.contact_facets ? kTiedFacetVersion : kTiedVersion;
   if (body.contact_facets) return kFacetVersion;
   return body.tissue.prisms.corners.empty() ? 1 : kWallVersion;
 }
@@ -114,7 +115,9 @@ void parse_contact(Fields& fields, SoftBody& body) {
   if (!fields.has("contact")) return;
   Fields contact = fields.object("contact");
   contact.choice("law", {kNearField});
-  body.contact_facets = contact.whole("version", 1, kFacetVersion) == kFacetVersion;
+  const std::int64_t version = contact.whole("version", 1, kTiedFacetVersion);
+  body.contact_facets = version == kFacetVersion || version == kTiedFacetVersion;
+  body.tied_holds = version >= kTiedVersion;
   body.contact_modulus = contact.number("modulus");
   contact.finish();
 }

@@ -17,6 +17,7 @@ import numpy as np
 import palpate
 from palpate.files.refusal import Refusal
 from palpate.runs.press import Place
+from palpate.scene.scene_parts import FILLED
 from palpate.study.advice import Advice, Steps, Targets, advise
 from palpate.study.held_out import (
     HeldOut,
@@ -100,6 +101,20 @@ def require_chart_of(chart: Chart, organ: Organ) -> None:
         raise AdviseError(
             f"chart: got one of a surface of {wanted.vertices} vertices, expected "
             f"{organ.vertex_count}"
+        )
+    if own.configuration.kind in FILLED:
+        require_filling_of(chart, own, organ)
+
+
+def require_filling_of(chart: Chart, own: Row, organ: Organ) -> None:
+    """Raises AdviseError where the organ, filled as it was for a chart's own row, is another body:
+    constants and tool may be those of the chart all the same."""
+    assert own.counts is not None
+    found = len(compile_choice(organ, own.configuration).bodies[0].tissue.mass)
+    if found != own.counts.particles:
+        raise AdviseError(
+            f"chart: got one of {chart.organ}, filled with {own.counts.particles} particles, "
+            f"expected one of this organ, which has {found} when it is filled like that"
         )
 
 

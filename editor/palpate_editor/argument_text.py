@@ -18,6 +18,7 @@ LAWS = {
     "model.damping_law": "--damping-law",
     "model.contact_law": "--contact-law",
     "model.contact_curvature": "--contact-curvature",
+    "model.contact_hold": "--contact-hold",
     "model.integrator": "--integrator",
     "model.constants": "--constants",
     "model.spring_rule": "--spring-rule",

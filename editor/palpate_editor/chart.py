@@ -92,12 +92,13 @@ SINCE = (
     ("hand", "exchange_rate", 0.0),
     ("tool", "friction", 0.0),
     ("model", "contact_curvature", "vertices"),
+    ("model", "contact_hold", "fastened"),
 )
-"""Part, field and usual value of what came to documents with versions 11 to 13."""
+"""Part, field and value as before of what came to documents with versions 11 to 14."""
 
 
 def keep_known(content: dict[str, Any]) -> None:
-    """Takes away what documents of before versions 9 and 11 to 13 do not say, so that their charts
+    """Takes away what documents of before versions 9 and 11 to 14 do not say, so that their charts
     are known."""
     for part, name, usual in SINCE:
         if content.get(part, {}).get(name) == usual:

@@ -105,6 +105,7 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
     assert organ.surface is not None
     reach = find_reach(organ)
     surface = palpate.SurfaceMesh(organ.surface.vertices, organ.surface.triangles)
+    check_asked(organ)
     solid = fill_organ(organ)
     check_room(solid, organ.model.kind)
     nearest = find_nearest(np.asarray(solid.vertices), organ.surface.vertices)
@@ -122,11 +123,29 @@ def build_filled(organ: Organ) -> palpate.TissueModel:
     return model if reach is None else palpate.limit_reach(model, reach)
 
 
+FILLED_TO = 0.8
+"""[-] of the tetrahedra that are asked for, that a filling has at the least: it is good to a
+tenth where nothing is finer."""
+
+
+def check_asked(organ: Organ) -> None:
+    """Raises ValueError for so many tetrahedra that those of the filling cannot but be more than a
+    published file has room for: a filling of so many takes minutes."""
+    fill = organ.fill
+    counted = fill.sizing == "counted" and fill.tetrahedra <= MOST_TETRAHEDRA
+    if counted and find_own_filling(organ) is None:
+        require_room(int(FILLED_TO * fill.tetrahedra), fill.tetrahedra, organ.model.kind)
+
+
 def check_room(solid: palpate.SolidMesh, kind: str) -> None:
     """Raises ValueError for more tetrahedra than a published file has room for."""
+    require_room(len(solid.tetrahedra), len(solid.tetrahedra), kind)
+
+
+def require_room(least: int, count: int, kind: str) -> None:
+    """Raises ValueError where at `least` so many tetrahedra are too many; `count` were got."""
     most = scenario.MOST_ELASTIC if kind == "linear_solid" else scenario.MOST_TETRAHEDRA
-    count = len(solid.tetrahedra)
-    if count > most:
+    if least > most:
         raise ValueError(
             f"fill.tetrahedra: got {count}, expected at most {most} in a solid of this kind, which "
             "a published file has room for: ask for fewer"

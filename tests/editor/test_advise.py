@@ -18,7 +18,8 @@ from palpate.study.chart_file import write_chart
 from palpate.study.held_out import read_held_out
 from palpate_editor import advise
 from palpate_editor.advice_words import describe_advised
-from palpate_editor.advise import AdviseError, advise_organ, find_steps
+from palpate_editor.advise import AdviseError, advise_organ, find_steps, require_chart_of
+from palpate_editor.compile import compile_organ
 from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.edits.configure import find_configuration
 
@@ -186,3 +187,23 @@ def test_a_chart_is_drawn_kept_and_its_choice_scored(tmp_path):
                             configurations=[few[1], few[0], *few[2:]])  # fmt: skip
     assert again.key == chart.key  # whatever it is simulated as
     assert again.rows[0].total == chart.rows[1].total and again.rows[0].cost == chart.rows[1].cost
+
+
+def test_a_chart_of_another_solid_is_refused_though_all_its_constants_are_the_same(organ):
+    solid = replace(
+        organ,
+        model=replace(organ.model, kind="solid", constants="tissue"),
+        fill=replace(organ.fill, tetrahedra=300),
+    )
+    own = make_row(solid, 0, find_configuration(solid))
+    chart = replace(make_chart(solid, 1), rows=(own,))
+    count = len(compile_organ(solid).bodies[0].tissue.mass)
+
+    require_chart_of(with_particles(chart, count), solid)
+    with pytest.raises(AdviseError, match=f"filled with {count + 7} particles, expected one of"):
+        require_chart_of(with_particles(chart, count + 7), solid)
+
+
+def with_particles(chart, count: int):
+    [row] = chart.rows
+    return replace(chart, rows=(replace(row, counts=replace(row.counts, particles=count)),))

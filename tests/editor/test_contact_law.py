@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 from organs import make_organ
 from palpate.cli.main import main
-from palpate.scene.scene_parts import FILLED, FillPart
+from palpate.scene.scene_parts import FILLED, WITH_NEAR_FIELD, FillPart
 from palpate_editor.chart import keep_known
 from palpate_editor.check import assess
 from palpate_editor.compile import compile_organ
@@ -158,3 +158,48 @@ def test_charts_of_before_keep_their_key_and_one_of_facets_has_another():
 
     assert "contact_curvature" not in content["model"]
     assert other["model"]["contact_curvature"] == "facets"
+
+
+@pytest.mark.parametrize("kind", WITH_NEAR_FIELD)
+def test_what_is_held_may_be_tied_to_tissue_and_older_files_are_not(kind):
+    organ = WALL if kind == "shell" else make_kind(kind)
+    tied = replace(organ, model=replace(organ.model, contact_hold="tied"))
+
+    assert compile_organ(tied).bodies[0].tied_holds
+    assert not compile_organ(organ).bodies[0].tied_holds
+    hard = replace(tied, model=replace(tied.model, contact_law="hard"))
+    assert not compile_organ(hard).bodies[0].tied_holds
+    content, arrays = pack_organ(organ)
+    content = json.loads(json.dumps(content))
+    del content["model"]["contact_hold"]
+    assert unpack_organ(content, arrays, 13, "old.organ").model.contact_hold == "fastened"
+
+
+def test_the_command_line_ties_holds_and_refuses_it_where_it_counts_for_nothing(tmp_path, capsys):
+    source, made = tmp_path / "spleen.organ", tmp_path / "tied.organ"
+    write_organ(source, SPLEEN)
+    call = ["material", str(source), "--contact-hold", "tied", "--out", str(made)]
+
+    assert main([*call, "--kind", "solid"]) == 0, capsys.readouterr()
+    assert read_organ(made).model.contact_hold == "tied"
+    capsys.readouterr()
+    assert main([*call, "--kind", "solid", "--contact-law", "hard"]) == 1
+    assert "by the hard law what is held gives way as the mesh" in capsys.readouterr().err
+    assert main([*call, "--kind", "mss"]) == 1
+    assert "--contact-hold: got tied, which has no effect here" in capsys.readouterr().err
+
+
+def test_a_hold_that_nobody_knows_is_refused():
+    with pytest.raises(ValueError, match="model.contact_hold: got 'glued', expected one of"):
+        compile_organ(make_kind("solid", contact_hold="glued"))
+
+
+def test_charts_of_before_keep_their_key_and_one_of_tied_holds_has_another():
+    content, _ = pack_organ(make_kind("solid"))
+    other, _ = pack_organ(make_kind("solid", contact_hold="tied"))
+
+    keep_known(content)
+    keep_known(other)
+
+    assert "contact_hold" not in content["model"]
+    assert other["model"]["contact_hold"] == "tied"

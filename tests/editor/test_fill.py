@@ -267,3 +267,18 @@ def test_tissue_that_never_sleeps_says_why_it_allows_no_error_of_the_force(splee
     assert problem.where == "scene: force_error [N]"
     assert str(problem.expected).startswith("0: ") and reason in str(problem.expected)
     assert assess(SetConstant("hand", "force_error", 0.0)(organ)).errors == ()
+
+
+def test_more_than_a_linear_solid_has_room_for_is_refused_before_it_is_filled(
+    file, capsys, monkeypatch
+):
+    def fill(*words):
+        raise AssertionError("it was filled")
+
+    monkeypatch.setattr("palpate_editor.fill.fill_surface", fill)
+    words = ["--kind", "linear", "--tetrahedra", "40000", "-o", str(file)]
+
+    assert main(["material", str(file), *words]) == 1
+
+    said = capsys.readouterr().err
+    assert "fill.tetrahedra: got 40000, expected at most" in said

@@ -26,6 +26,7 @@ from palpate.scene.mesh_file import read_mesh_file
 from palpate.scene.nearest import find_nearest
 from palpate.scene.scene_parts import (
     CONTACT_CURVATURES,
+    CONTACT_HOLDS,
     CONTACT_LAWS,
     FILLED,
     FINITE,
@@ -190,6 +191,7 @@ def compile_scene(
         contact_modulus=find_contact_modulus(scene),
         far_compliance=() if far_compliance is None else far_compliance,
         contact_facets=feels_facets(scene),
+        tied_holds=ties_holds(scene),
     )
     instrument = palpate.Instrument(
         tool=palpate.Tool(
@@ -236,6 +238,18 @@ def feels_facets(scene: SceneFile) -> bool:
         )
     solid = model.kind in FILLED and model.contact_law != "hard"
     return solid and model.contact_curvature == "facets"
+
+
+def ties_holds(scene: SceneFile) -> bool:
+    """Whether what a tool holds gives way as tissue does under it. Raises ValueError."""
+    model = scene.model
+    if model.contact_hold not in CONTACT_HOLDS:
+        expected = ", ".join(CONTACT_HOLDS)
+        raise ValueError(
+            f"model.contact_hold: got {model.contact_hold!r}, expected one of {expected}"
+        )
+    near = model.kind in WITH_NEAR_FIELD and model.contact_law != "hard"
+    return near and model.contact_hold == "tied"
 
 
 def raise_substeps(body: palpate.SoftBody, least: int) -> None:

@@ -20,8 +20,10 @@ CONTACT_LAWS = ("near_field", "hard")
 """How tissue is felt under a ball."""
 CONTACT_CURVATURES = ("vertices", "facets")
 """Of what a solid's near field is as curved as."""
+CONTACT_HOLDS = ("fastened", "tied")
+"""How what a tool holds gives way, under a near field."""
 WITH_NEAR_FIELD = ("shell", *FILLED)
-"""Kinds that both of them are for; the others are felt by the hard law."""
+"""Kinds that both contact laws are for; the others are felt by the hard law."""
 EXPLICIT = (
     "symplectic_euler",
     "explicit_euler",
@@ -114,6 +116,9 @@ class ModelPart:
     contact_curvature: str = field(default="vertices", metadata={"since": 13})
     """Of a solid's near field. vertices: it is as curved as they are on the mean; facets: as those
     under the ball are, as finite elements on this surface feel them [contact: facets]."""
+    contact_hold: str = field(default="fastened", metadata={"since": 14})
+    """Of a near field. fastened: what a tool holds gives way as the mesh does at the vertices under
+    it; tied: as tissue does at a disc as wide as the contact [contact: hold]."""
     integrator: str = field(default="symplectic_euler", metadata={"since": 8})
     """Any but the first runs in plain code, at many times the cost."""
     fixed: tuple[int, ...] = ()

@@ -29,6 +29,53 @@ void add_holds(std::span<const Push> pushes, int body, std::span<const Triangle>
   }
 }
 
+/// Of a disc tied to a half space, sideways over along the normal: 8 G a/(2 - nu) over 4 G a/(1 -
+/// nu) [Johnson85], 2 (1 - nu)/(2 - nu), with nu of 0.45; 0.67 with 0.5.
+constexpr double kSideways = 0.71;
+
+/// How much of their patch the pressures of a dent must agree on for it to be held as one.
+constexpr double kOneDent = 0.5;
+
+/// [-] How much more a disc gives way than a rigid one that is tied, whose springs are shared out
+/// as the pressures were: at the rim they are next to nothing. `ratio` is that of their stiffness
+/// to the disc's. 1/5 where they are soft, for then the disc gives way by 3/5 F/(E* a) [Johnson85],
+/// and fitted to solutions of the half space between, within 1 % of what gives way.
+double find_rim(double ratio) noexcept { return 0.2 / (1.0 + 0.19 * std::pow(ratio, 0.78)); }
+
+/// The holds of one body, from `first` on, give way as a disc as wide as the contact that is tied
+/// to a half space, less what the mesh has done of that already, and take over what the pressures
+/// push with:
+///
+///     1/k = 1/k_h + ((1 + rim) - S dC)/S,   S = F'(s) = 2 E* a
+///
+/// and sideways with kSideways S for S: the mesh is taken to have the same part of that.
+void tie(const TouchedSurface& surface, std::size_t first, const Vec3& friction,
+         ToolState& state) noexcept {
+  NearContacts& near = surface.candidates->near;
+  const double pushed = near.push.norm();
+  if (!surface.near || !surface.near->ties_holds || !(near.local_slope > 0.0) ||
+      !(pushed > kOneDent * near.force)) {
+    return;
+  }
+  const std::span<ToolState::Hold> holds =
+      std::span(state.holds).first(static_cast<std::size_t>(state.hold_count)).subspan(first);
+  double own = 0.0;
+  for (const ToolState::Hold& hold : holds) own += hold.stiffness;
+  const double slope = near.local_slope, rim = find_rim(own / slope);
+  const double left = std::max(0.0, 1.0 + rim - slope * near.mesh_compliance) / slope;
+  const double along = 1.0 / (1.0 + own * left), across = 1.0 / (1.0 + own * left / kSideways);
+  for (ToolState::Hold& hold : holds) {
+    const double share = hold.stiffness / own;
+    hold.normal = near.push / pushed;
+    hold.sideways = across * hold.stiffness;
+    hold.stiffness *= along;
+    hold.offset += hold.stretch(share * (near.push + friction));
+  }
+  near.grip.force = near.force;
+  near.grip.share = near.force / pushed;
+  near.grip.normal = near.push / pushed;
+}
+
 }  // namespace
 
 bool attach_tool(std::span<const TouchedSurface> surfaces, double stiffness,
@@ -38,8 +85,11 @@ bool attach_tool(std::span<const TouchedSurface> surfaces, double stiffness,
   for (const TouchedSurface& surface : surfaces) sum += sum_forces(surface.load->pushes());
   if (!(sum > 0.0)) return false;
   for (std::size_t b = 0; b < surfaces.size(); ++b) {
-    add_holds(surfaces[b].load->pushes(), static_cast<int>(b), surfaces[b].triangles, surfaces[b].x,
-              stiffness, sum, state);
+    const std::span<const Push> pushes = surfaces[b].load->pushes();
+    const auto first = static_cast<std::size_t>(state.hold_count);
+    add_holds(pushes, static_cast<int>(b), surfaces[b].triangles, surfaces[b].x, stiffness, sum,
+              state);
+    tie(surfaces[b], first, sum_forces(pushes) / sum * state.friction, state);
   }
   return true;
 }

@@ -192,10 +192,10 @@ void for_each_contact(const Surroundings& around, const Vec3& p, Take take) noex
   }
 }
 
-/// [N] k (y + offset - p) on the tool, with y the patch's point.
+/// [N] on the tool, with y the patch's point: k (y + offset - p), or as the tissue under it.
 Vec3 compute_pull(const Surroundings& around, const ToolState::Hold& hold, const Vec3& p) noexcept {
   const Vec3 y = compute_point_of(around, hold.body, hold.triangle, hold.weights);
-  return hold.stiffness * (y + hold.offset - p);
+  return hold.pull(y + hold.offset - p);
 }
 
 Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
@@ -210,8 +210,12 @@ Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
   touch.contact = touch.force;
   for (const ToolState::Hold& hold : around.holds) {
     touch.force += compute_pull(around, hold, p);
-    touch.stiffness += hold.stiffness * Mat3::Identity();
-    touch.hold_stiffness += hold.stiffness;
+    const double across = hold.is_tied() ? hold.sideways : hold.stiffness;
+    touch.stiffness += across * Mat3::Identity();
+    if (hold.is_tied()) {
+      touch.stiffness += (hold.stiffness - across) * (hold.normal * hold.normal.transpose());
+    }
+    touch.hold_stiffness += across;
   }
   return touch;
 }
@@ -295,6 +299,21 @@ void follow_dent(const Vec3& position, NearContacts& contacts) noexcept {
   contacts.found = false;
 }
 
+/// What the holds of a body push in place of the pressures that they have taken over.
+void follow_grip(const Surroundings& around, std::size_t body, const Vec3& p) noexcept {
+  if (!around.surfaces[body].near) return;
+  Grip& grip = around.surfaces[body].candidates->near.grip;
+  if (around.holds.empty()) grip = {};
+  if (!(grip.force > 0.0)) return;
+  grip.pushed = grip.stiffness = 0.0;
+  grip.place = p;
+  for (const ToolState::Hold& hold : around.holds) {
+    if (hold.body != static_cast<int>(body)) continue;
+    grip.pushed += grip.share * compute_pull(around, hold, p).dot(grip.normal);
+    grip.stiffness += grip.share * hold.stiffness;
+  }
+}
+
 /// Writes what the tool does to the surfaces under the pull of the hand's spring [N]; returns the
 /// sum of forces on the tool.
 Vec3 write_pushes(const Surroundings& around, const Vec3& pull, ToolState& state) noexcept {
@@ -370,6 +389,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
     state.position = hand_position;
     state.patch_count = 0;
   }
+  for (std::size_t b = 0; b < surfaces.size(); ++b) follow_grip(around, b, state.position);
   const Vec3 carry = measure_carry(surfaces, state);
   const Vec3 stuck = state.position + carry;
   state.position += ride(around, state);

@@ -60,6 +60,10 @@ struct NearField {
   std::vector<float> compliance;  ///< [m/N]
 
   double wall_thickness = 0.0;  ///< [m] of prisms; 0 of a solid
+
+  /// What a tool takes hold of gives way as a disc that is tied to such tissue [contact: hold], and
+  /// not as the vertices it is fastened to.
+  bool ties_holds = false;
 };
 
 /// The near field of a model touched by balls of up to `radius` [m]: solves for a unit force on
@@ -96,7 +100,8 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
 
 /// Fastens the tool to the patch it touches, shares weighted by contact force; `stiffness` [N/m]
 /// in all. Does nothing, and returns false, when it touches nothing. Offsets are chosen so that
-/// the holds exert no force at the moment of attaching. A tool that is attached stays as it is.
+/// the holds exert no force at the moment of attaching; under a near field that ties holds, the
+/// force of the pressures, which they take over. A tool that is attached stays as it is.
 bool attach_tool(const Load& contacts, std::span<const Triangle> triangles, std::span<const Vec3> x,
                  double stiffness, ToolState& state) noexcept;
 

@@ -49,6 +49,21 @@ struct ContactLanes {
 };
 static_assert(alignof(ContactLanes) == 8);
 
+/// What a tool that holds on to tissue has taken over of the pressures it held when it took hold.
+struct Grip {
+  double force = 0.0;          ///< [N] of those pressures; 0 where nothing is held
+  double share = 1.0;          ///< [-] of `force` over their sum as vectors
+  Vec3 normal = Vec3::Zero();  ///< unit, of that sum
+  double pushed = 0.0;         ///< [N] what the holds push with in place of them, at `place`
+  double stiffness = 0.0;      ///< [N/m] by which that falls as the tool goes up
+  Vec3 place = Vec3::Zero();   ///< [m] of the tool
+
+  /// [N] of the holds with the tool at p.
+  double find_push(const Vec3& p) const noexcept {
+    return pushed - stiffness * normal.dot(p - place);
+  }
+};
+
 /// What goes on from one substep to the next of contacts under a NearField.
 struct NearMemory {
   Vec3 centre = Vec3::Zero();     ///< [m] of the tip, lifted
@@ -60,6 +75,9 @@ struct NearMemory {
   bool knows_compliance = false;  ///< in this tick
   double gain = 1.0;              ///< [-] force over that of the pressures alone
   double stiffening = 1.0;        ///< [-] its slope over theirs
+  Vec3 push = Vec3::Zero();       ///< [N] of the pressures on the tool, as a vector
+  double local_slope = 0.0;       ///< [N/m] of the half space that they are those of
+  Grip grip;                      ///< what holds have taken over of them
 
   // of the patch in all, as other instruments see it
   double force = 0.0;           ///< [N] of the pressures, 0 where nothing is touched

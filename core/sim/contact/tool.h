@@ -20,9 +20,27 @@ struct ToolState {
   struct Hold {
     int triangle = 0;
     Vec3 weights = Vec3::Zero();  ///< barycentric
-    double stiffness = 0.0;       ///< [N/m]
-    Vec3 offset = Vec3::Zero();   ///< [m] tool minus patch point when it was attached
+    double stiffness = 0.0;       ///< [N/m] of a tied one along its normal
+    Vec3 offset = Vec3::Zero();   ///< [m] tool minus patch point where it has no force
     int body = 0;                 ///< whose triangle: which of the surfaces that may be touched
+
+    // of one that gives way as the tissue under it does [contact: hold]
+    Vec3 normal = Vec3::Zero();  ///< unit; zero of one that does not
+    double sideways = 0.0;       ///< [N/m] across the normal, at most `stiffness`
+
+    bool is_tied() const noexcept { return sideways > 0.0; }
+
+    /// [N] on the tool where it is stretched by s [m]: patch point plus offset minus tool.
+    Vec3 pull(const Vec3& s) const noexcept {
+      if (!is_tied()) return stiffness * s;
+      return sideways * s + (stiffness - sideways) * normal.dot(s) * normal;
+    }
+
+    /// [m] by which it is stretched under a pull f [N].
+    Vec3 stretch(const Vec3& f) const noexcept {
+      if (!is_tied()) return f / stiffness;
+      return f / sideways + (1.0 / stiffness - 1.0 / sideways) * normal.dot(f) * normal;
+    }
   };
 
   /// The surface nearest to the tool after the last substep; the tool rides on its motion.

@@ -88,7 +88,8 @@ void find_contact(const Task& task, const World& world, std::size_t instrument,
 }
 
 /// Where the tool holds, and how far that has been moved: a hold of stiffness k and offset o pulls
-/// its point y of the tissue to the tool p with f = -k (y + o - p), so y = p - o - f / k.
+/// its point y of the tissue to the tool p with f = -k (y + o - p), so y = p - o - f / k; likewise
+/// where k is a tensor.
 void find_hold(const Task& task, const World& world, std::size_t instrument,
                Measures& measures) noexcept {
   const ToolState& tool = world.instruments[instrument].tool;
@@ -102,7 +103,7 @@ void find_hold(const Task& task, const World& world, std::size_t instrument,
       if (next == pulls.size()) break;
       const Vec3 force = pulls[next++].force;
       mean.add(b, hold.triangle, hold.weights, hold.stiffness);
-      now += hold.stiffness * (tool.position - hold.offset) - force;
+      now += hold.stiffness * (tool.position - hold.offset - hold.stretch(force));
     }
     mean.end_body(b);
   }

@@ -57,6 +57,11 @@ void add_holds(const ToolState& tool, bool with_body, Hash& hash) noexcept {
     hash.add(hold.weights);
     hash.add(hold.offset);
     hash.add(hold.stiffness);
+    // those of before there were tied ones have none of this in their hashes
+    if (hold.is_tied()) {
+      hash.add(hold.normal);
+      hash.add(hold.sideways);
+    }
   }
 }
 

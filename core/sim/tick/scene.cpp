@@ -124,6 +124,10 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
     palpate::refuse("scene: " + place("contact_facets"), "true without a contact_modulus",
                     "false: the hard law has no use for them");
   }
+  if (body.tied_holds && body.contact_modulus == 0.0) {
+    palpate::refuse("scene: " + place("tied_holds"), "true without a contact_modulus",
+                    "false: under the hard law holds are fastened to vertices");
+  }
   check_integrator("scene: " + place(""), body.tissue, body.integrator, body.iterations);
   check_force_error(body, scene, place);
   check_target(place("simd_target"), body.simd_target);
@@ -269,8 +273,10 @@ void choose_substeps(double rate, const Place& place, SoftBody& body) {
 void build_contact(double radius, SoftBody& body) {
   body.near_field.reset();
   if (body.contact_modulus == 0.0) return;
-  body.near_field = std::make_shared<const NearField>(build_near_field(
-      body.tissue, body.contact_modulus, radius, body.far_compliance, body.contact_facets));
+  NearField near = build_near_field(body.tissue, body.contact_modulus, radius, body.far_compliance,
+                                    body.contact_facets);
+  near.ties_holds = body.tied_holds;
+  body.near_field = std::make_shared<const NearField>(std::move(near));
 }
 
 }  // namespace

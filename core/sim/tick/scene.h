@@ -54,6 +54,9 @@ struct SoftBody {
   /// Of a solid with a contact_modulus: a ball feels how curved the facets under it are, and is
   /// felt from the highest of them on [contact: facets]; else as curved as vertices are on the mean
   bool contact_facets = false;
+  /// Of a body with a contact_modulus: what a tool holds gives way as tissue does under it
+  /// [contact: hold]; else as the mesh does where it is fastened
+  bool tied_holds = false;
 
   // filled in by build_scene
   std::vector<double> rest_areas;            ///< [m²] per triangle

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from palpate.scene.scene_parts import (
     CONTACT_CURVATURES,
+    CONTACT_HOLDS,
     CONTACT_LAWS,
     FILLED,
     FINITE,
@@ -297,6 +298,7 @@ CHOICES = {
     "model.damping_law": ("axis", "isotropic"),
     "model.contact_law": CONTACT_LAWS,
     "model.contact_curvature": CONTACT_CURVATURES,
+    "model.contact_hold": CONTACT_HOLDS,
     "model.integrator": INTEGRATORS,
 }
 
@@ -309,6 +311,7 @@ LAW_NAMES = {
     "damping_law": "Damping",
     "contact_law": "Contact",
     "contact_curvature": "Curvature under the ball",
+    "contact_hold": "What is held",
     "integrator": "Integrator",
 }
 """What people call a choice."""
@@ -333,6 +336,8 @@ VALUE_NAMES = {
     "hard": "As on the mesh",
     "vertices": "Mean of the vertices",
     "facets": "Of the triangles",
+    "tied": "Gives way as tissue",
+    "fastened": "Gives way as the mesh",
     "symplectic_euler": "Symplectic Euler",
     "explicit_euler": "Explicit Euler",
     "midpoint": "Explicit midpoint",
@@ -351,6 +356,7 @@ KINDS_OF_LAWS = {
     "angle_law": MOLECULAR,
     "constants": SURFACES,
     "contact_curvature": FILLED,
+    "contact_hold": WITH_NEAR_FIELD,
     "contact_law": WITH_NEAR_FIELD,
     "damping_law": LINKED,
     "spring_rule": ("mass_spring",),
@@ -361,7 +367,7 @@ KINDS_OF_LAWS = {
 def counts_choice(field: str, model: ModelPart) -> bool:
     """Whether a law of `field` has an effect on a model."""
     counts = model.kind in KINDS_OF_LAWS.get(field, KINDS)
-    if field == "contact_curvature":
+    if field in ("contact_curvature", "contact_hold"):
         return counts and model.contact_law != "hard"
     return counts and (field != "spring_rule" or model.constants == "tissue")
 

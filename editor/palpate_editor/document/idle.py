@@ -106,6 +106,11 @@ def find_idle_choice(field: str, value: str, organ: Organ) -> Idle | None:
         return Idle("springs take the stiffness that is chosen", "--constants tissue with it")
     if field == "contact_curvature" and model.kind in KINDS_OF_LAWS[field]:
         return Idle("the hard law knows no curvature", "--contact-law near_field with it")
+    if field == "contact_hold" and model.kind in KINDS_OF_LAWS[field]:
+        return Idle(
+            "by the hard law what is held gives way as the mesh",
+            "--contact-law near_field with it",
+        )
     kinds = list_kinds(KINDS_OF_LAWS[field])
     return Idle(say_unused(model.kind), f"a model that uses it: --kind {kinds}")
 

@@ -3394,6 +3394,10 @@ Beklenen: {expected}.</translation>
         <translation>Bilye altındaki eğrilik</translation>
     </message>
     <message>
+        <source>What is held</source>
+        <translation>Tutulan yer</translation>
+    </message>
+    <message>
         <source>Mass–spring (MSS)</source>
         <translation>Kütle–yay (MSS)</translation>
     </message>
@@ -3468,6 +3472,14 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Of the triangles</source>
         <translation>Üçgenlerinki</translation>
+    </message>
+    <message>
+        <source>Gives way as tissue</source>
+        <translation>Doku gibi esner</translation>
+    </message>
+    <message>
+        <source>Gives way as the mesh</source>
+        <translation>Ağ gibi esner</translation>
     </message>
     <message>
         <source>Integrator</source>

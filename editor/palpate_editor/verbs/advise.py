@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import math
 import sys
+import time
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -126,7 +127,7 @@ def run_advise(call: argparse.Namespace) -> Report:
     organ = replace(organ, hand=replace(organ.hand, rate=rate))
     chart = find_chart(call, organ)
     try:
-        advised = advise_organ(organ, chart, targets, scored=not call.no_score, told=tell)
+        advised = advise_organ(organ, chart, targets, scored=not call.no_score, told=Teller())
     except AdviseError as refused:
         raise AdviceRefusal(call.file, str(refused)) from None
     written = None
@@ -157,14 +158,26 @@ def find_chart(call: argparse.Namespace, organ: Organ) -> Chart:
     from palpate_editor.truth import TruthError
 
     try:
-        return draw_kept_chart(organ, call.workers or 1, str(call.file), tell)
+        return draw_kept_chart(organ, call.workers or 1, str(call.file), Teller())
     except TruthError as refused:
         raise AdviceRefusal(call.file, str(refused)) from None
 
 
-def tell(stage: str, share: float) -> None:
-    """On a terminal, how far the work is."""
-    if sys.stderr.isatty():
+OFTEN = 10.0
+"""[s] From one line of progress to the next where nobody looks at a terminal."""
+
+
+class Teller:
+    """How far the work is, on standard error: minutes where truths are to be solved."""
+
+    def __init__(self) -> None:
+        self.said = time.monotonic()
+
+    def __call__(self, stage: str, share: float) -> None:
+        now = time.monotonic()
+        if not sys.stderr.isatty() and now < self.said + OFTEN:
+            return
+        self.said = now
         print(f"{stage}: {share:.0%}", file=sys.stderr, flush=True)
 
 

@@ -119,8 +119,8 @@ TEST_CASE("a body keeps its law of contact, and one of the hard law names none")
   };
   const std::string place = "content.scene.bodies[1].contact";
   CHECK(contains(refuse(R"({"law":"soft","version":1,"modulus":10})"), place + ".law: got"));
-  CHECK(contains(refuse(R"({"law":"near_field","version":4,"modulus":10})"),
-                 place + ".version: got 4"));
+  CHECK(contains(refuse(R"({"law":"near_field","version":6,"modulus":10})"),
+                 place + ".version: got 6"));
   CHECK(contains(refuse(R"({"law":"near_field","version":1,"modulus":-10})"),
                  "contact.modulus: got -10"));
   CHECK(contains(refuse(R"({"law":"near_field","version":1})"), place + ".modulus"));
@@ -144,6 +144,24 @@ TEST_CASE("a solid whose facets are felt keeps that, and a file of before has no
   CHECK(felt_bits(found.scene) == felt_bits(made.scene));
   CHECK_FALSE(old.scene.bodies[0].contact_facets);
   CHECK(old.scene.bodies[0].near_field->rest_position.empty());
+}
+
+TEST_CASE("a body whose holds are tied to tissue keeps that, and a file of before has none") {
+  Scenario made = make_pair();
+  made.scene.bodies[0].tissue.fixed = {0, 1, 2};
+  made.scene.bodies[0].tissue.prisms = {};
+  made.scene.bodies[0].contact_modulus = 6270.0;
+  for (const bool facets : {false, true}) {
+    for (const bool tied : {false, true}) {
+      made.scene.bodies[0].contact_facets = facets;
+      made.scene.bodies[0].tied_holds = tied;
+      made.scene = build_scene(made.scene);
+      const Scenario found = scenario::unpack(scenario::pack(made), "file");
+      CHECK(found.scene.bodies[0].contact_facets == facets);
+      CHECK(found.scene.bodies[0].tied_holds == tied);
+      CHECK(found.scene.bodies[0].near_field->ties_holds == tied);
+    }
+  }
 }
 
 TEST_CASE("a far field that was given is kept bit for bit, and a body without one has no entry") {

@@ -55,7 +55,8 @@ double bound_stored_energy(const Tool& tool, const Coupling& coupling, const Vec
     for (const Push& push : pushes.first(next)) energy += push.force.norm() * deepest;
     for (const ToolState::Hold& hold : holds_of(state)) {
       if (hold.body != static_cast<int>(b) || next == pushes.size()) continue;
-      energy += 0.5 * pushes[next++].force.squaredNorm() / hold.stiffness;
+      const double softest = hold.is_tied() ? hold.sideways : hold.stiffness;
+      energy += 0.5 * pushes[next++].force.squaredNorm() / softest;
     }
   }
   return energy;

@@ -135,6 +135,7 @@ NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, 
   gain.force =
       std::clamp(press.compute_force(s) / pressed, wall ? kLeastWallGain : kLeastGain, kMostGain);
   gain.slope = std::clamp(slope / flat.compute_slope(on_mesh), gain.force, 10.0 * kMostGain);
+  gain.local_slope = press.compute_slope(s);
   return gain;
 }
 
@@ -183,6 +184,29 @@ Contact press(const Footprint& part, const Contact& closest, double share) noexc
   return soft;
 }
 
+/// [N/m] How the pressures grow with depth.
+double sum_slopes(const NearContacts& contacts, const NearGain& gain) noexcept {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
+    sum += gain.slope * contacts.contact[i].stiffness;
+  }
+  return sum;
+}
+
+/// Where holds have taken over the pressures, these are only what is more than the holds push with,
+/// and than there was when the tool took hold: so what is pressed deeper is felt as without a hold,
+/// and what is pulled by the holds alone [contact: hold]. The slope that is left is no less than
+/// that of the difference.
+void leave_to_holds(const Vec3& position, const NearContacts& contacts, NearGain& gain) noexcept {
+  const Grip& grip = contacts.grip;
+  if (!(grip.force > 0.0 && contacts.force > 0.0)) return;
+  const double held = grip.find_push(position);
+  const double left = std::max(0.0, contacts.force - std::max(grip.force, held)) / contacts.force;
+  const double slope = sum_slopes(contacts, gain);
+  gain.force *= left;
+  gain.slope *= left > 0.0 ? std::max(left, 1.0 - grip.stiffness / std::max(slope, 1e-300)) : 0.0;
+}
+
 /// Pressures as they are on all triangles.
 Patch press_triangles(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
   const NearPressure law = make_law(*surface.near, tool);
@@ -228,12 +252,17 @@ void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const V
     }
     gain = find_gain(near, tool, patch, sum_crossings(surface, contacts), contacts);
     contacts.force = gain.force * patch.force;
+    leave_to_holds(p - contacts.lift, contacts, gain);
+    contacts.force = gain.force * patch.force;
   }
   contacts.gain = gain.force;
   contacts.stiffening = gain.slope;
+  contacts.local_slope = gain.local_slope;
+  contacts.push.setZero();
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
     const Contact soft = level(surface, contacts.force * contacts.tilt, p, contacts.triangle[i],
                                contacts.contact[i]);
+    contacts.push += gain.force * soft.force * soft.direction;
     contacts.contact[i] = combine(tool, contacts.closest[i], soft, gain);
   }
   contacts.next_lift = choose_lift(tool, patch, contacts);

@@ -13,6 +13,7 @@ namespace palpate {
 struct NearGain {
   double force = 1.0;
   double slope = 1.0;
+  double local_slope = 0.0;  ///< [N/m] of the half space at the depth that it is pressed
 };
 
 /// [m] The lift of a tool that has last been balanced where it is; of one that has been put

@@ -45,6 +45,7 @@ TouchedSurface look_around(const Scene& scene, std::size_t instrument, std::size
   TouchedSurface surface = list_surfaces(scene, instrument, world)[body];
   surface.others = {};
   scratch.near.lift = lift;
+  scratch.near.grip = world.pair(instrument, body).candidates.near.grip;
   find_candidates(world.bodies[body].tree, surface.x, scene.instruments[instrument].tool, at, at,
                   scene.bodies[body].rest_areas, scratch);
   surface.candidates = &scratch;
@@ -74,6 +75,13 @@ void add_holds(const ToolState& tool, std::size_t body, Support& support) {
   for (int h = 0; h < tool.hold_count; ++h) {
     const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
     if (hold.body != static_cast<int>(body)) continue;
+    if (hold.is_tied()) {
+      const Vec3 first = hold.normal.unitOrthogonal(), second = hold.normal.cross(first);
+      support.add(hold.triangle, hold.weights, hold.normal, hold.stiffness);
+      support.add(hold.triangle, hold.weights, first, hold.sideways);
+      support.add(hold.triangle, hold.weights, second, hold.sideways);
+      continue;
+    }
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       support.add(hold.triangle, hold.weights, Vec3::Unit(axis), hold.stiffness);
     }

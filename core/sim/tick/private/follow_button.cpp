@@ -38,7 +38,7 @@ bool is_near_alarm(const SoftBody& body, const SoftState& state) noexcept {
 }
 
 /// An instrument that holds, and the surfaces it may touch.
-struct Grip {
+struct Holding {
   const Instrument& instrument;
   InstrumentState& state;
   std::span<const TouchedSurface> surfaces;
@@ -48,7 +48,7 @@ struct Grip {
   }
 };
 
-bool holds_near_alarm(const Scene& scene, const World& world, const Grip& grip) noexcept {
+bool holds_near_alarm(const Scene& scene, const World& world, const Holding& grip) noexcept {
   int checked = -1;
   for (const ToolState::Hold& hold : grip.holds()) {
     if (hold.body == checked) continue;  // those of a body follow one another
@@ -59,12 +59,12 @@ bool holds_near_alarm(const Scene& scene, const World& world, const Grip& grip) 
   return false;
 }
 
-bool is_out_of_grip(const Grip& grip) noexcept {
+bool is_out_of_grip(const Holding& grip) noexcept {
   return measure_slip(grip.instrument.coupling, grip.state.hand, grip.state.tool) >
          kSlipInRadii * grip.instrument.tool.radius;
 }
 
-void begin_release(double dt, const Grip& grip) noexcept {
+void begin_release(double dt, const Holding& grip) noexcept {
   grip.state.release_ticks = std::max(1, static_cast<int>(std::lround(kReleaseTime / dt)));
   grip.state.release_load = measure_held_load(grip.state.tool, grip.surfaces);
 }
@@ -73,7 +73,7 @@ void begin_release(double dt, const Grip& grip) noexcept {
 /// then what it is and by how much the hand's spring K shortens as it comes down to F:
 ///
 ///     k' = F / (sum |f| / k + (|h - p| - F/K))
-double find_part(const Grip& grip, double force) noexcept {
+double find_part(const Holding& grip, double force) noexcept {
   double stiffness = 0.0;
   for (const ToolState::Hold& hold : grip.holds()) stiffness += hold.stiffness;
   const double reach = (grip.state.hand - grip.state.tool.position).norm();
@@ -86,10 +86,14 @@ double find_part(const Grip& grip, double force) noexcept {
 /// Let go at once the holds would kick hand and tissue: what they carry falls linearly
 /// [contact: release]. If it were their stiffness, nearly all of the load would be left to the last
 /// ticks, for where the tissue is softer than the holds it stretches them as they soften.
-void fade_holds(double dt, const Grip& grip) noexcept {
+void fade_holds(double dt, const Holding& grip) noexcept {
   const double left = (grip.state.release_ticks - 1) / std::max(1.0, std::round(kReleaseTime / dt));
   const double part = find_part(grip, left * grip.state.release_load);
-  for (ToolState::Hold& hold : grip.holds()) hold.stiffness *= part;
+  for (ToolState::Hold& hold : grip.holds()) {
+    hold.stiffness *= part;
+    hold.sideways *= part;
+  }
+  for (const TouchedSurface& surface : grip.surfaces) surface.candidates->near.grip.force *= part;
   if (--grip.state.release_ticks == 0) release_tool(grip.state.tool);
 }
 
@@ -100,7 +104,7 @@ void fade_holds(double dt, const Grip& grip) noexcept {
 void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t buttons, double dt,
                    World& world) noexcept {
   InstrumentState& state = world.instruments[instrument];
-  const Grip grip{scene.instruments[instrument], state, list_surfaces(scene, instrument, world)};
+  const Holding grip{scene.instruments[instrument], state, list_surfaces(scene, instrument, world)};
   const bool pressed = (buttons & kAttachButton) != 0;
   const bool holds = state.tool.hold_count > 0 && state.release_ticks == 0;
   if (holds && (!pressed || is_out_of_grip(grip) || holds_near_alarm(scene, world, grip))) {

@@ -141,7 +141,7 @@ class MaterialPanel(StagePanel):
         self.links = self.section(tr("Springs and bonds"))
         self.add_constants(self.links, LINKS, self.build_laws())
         self.build_support(self.section(tr("What holds it")))
-        laws = ("contact_law", "contact_curvature")
+        laws = ("contact_law", "contact_curvature", "contact_hold")
         contact = [ChoiceField(self.context, law, self) for law in laws]
         tip = self.section(tr("Tip of the tool"))
         self.add_constants(tip, TIP, contact)
