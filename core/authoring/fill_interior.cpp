@@ -26,6 +26,10 @@ constexpr double kFirstGuess = 4.45;
 constexpr int kMostTries = 10;
 /// [-] A try is accepted this near, since improving takes some cells away again.
 constexpr double kNearEnough = 0.08;
+/// [-] The same where it is graded: more of the flattest tetrahedra are taken out afterwards.
+constexpr double kNearEnoughGraded = 0.05;
+/// [-] What is tried for there beside what is wanted.
+constexpr double kLostGraded = 1.04;
 /// [-] Of the most there may be: what is tried for where nearly as many are asked for.
 constexpr double kNearMost = 0.96;
 /// [-] The most that a size changes between two tries.
@@ -191,7 +195,10 @@ SolidMesh fill_to_count(const SurfaceMesh& surface, int tetrahedron_count, const
   check_surface(surface);
   check_count(tetrahedron_count);
   check_fine(surface, fine);
-  const double wanted = std::min(1.0 * tetrahedron_count, kNearMost * kMostTetrahedra);
+  const bool is_graded = !fine.triangles.empty();
+  const double enough = is_graded ? kNearEnoughGraded : kNearEnough;
+  const double wanted =
+      std::min(tetrahedron_count * (is_graded ? kLostGraded : 1.0), kNearMost * kMostTetrahedra);
   const FineNear near(surface, fine);
   const double volume = compute_volume(surface);
   SizeSearch search(near.begin(std::cbrt(kFirstGuess * volume / wanted)), wanted);
@@ -203,7 +210,7 @@ SolidMesh fill_to_count(const SurfaceMesh& surface, int tetrahedron_count, const
     best = tidy(fill_with_mesh_3(surface, near.size(size), [&](std::size_t cells) {
       count = cells;
       const auto found = static_cast<double>(cells);
-      return found <= kMostTetrahedra && std::abs(found / wanted - 1.0) < kNearEnough;
+      return found <= kMostTetrahedra && std::abs(found / wanted - 1.0) < enough;
     }));
     const double error = std::abs(std::log(std::max<double>(1.0, count) / wanted));
     if (error < least) std::tie(best_size, least) = std::pair(size, error);
