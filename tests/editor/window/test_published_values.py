@@ -8,7 +8,25 @@ import pytest
 from hands import child, click
 from palpate_editor.edits import SetRegion
 from palpate_editor.own_values import read_own_values
+from palpate_editor.tissue_library import find_own_file
 from palpate_editor.views.stages.published_dialog import PublishedDialog
+
+OWN = """
+[tongue]
+title = "tongue"
+kind = "solid"
+words = ["dil"]
+
+[[tongue.published]]
+quantity = "young_modulus"
+low = 2e3
+high = 8e3
+method = "indentation"
+setting = "ex vivo"
+rate = "1 mm/s"
+source = "our own laboratory, 2026"
+status = "checked"
+"""
 
 pytestmark = [pytest.mark.window, pytest.mark.landing]
 
@@ -133,6 +151,26 @@ def test_a_region_is_given_a_tissue_of_its_own(panel):
     felt = organ.material.young_modulus * organ.stiffness_scale[[3, 5, 8]]
     assert felt == pytest.approx([organ.tissues[0].young_modulus] * 3)
     assert (organ.stiffness_scale != 1.0).sum() == 3
+
+
+@pytest.fixture
+def own_tissue(tmp_path, monkeypatch):
+    """A designer's own file, as `palpate tissues --library` reads one."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    find_own_file().parent.mkdir(parents=True)
+    find_own_file().write_text(OWN, encoding="utf-8")
+
+
+def test_a_tissue_of_the_designers_own_file_is_found_and_used(own_tissue, spleen_window):
+    spleen_window.show_stage("material")
+    panel = spleen_window.material_panel
+    child(panel, "tissue_words").setText("dil")
+    assert [t.name for t in panel.published.tissues] == ["tongue"]
+
+    click(child(panel, "use_tissue"))
+
+    organ = panel.context.session.organ
+    assert (organ.material.young_modulus, organ.tissues[0].name) == (4e3, "tongue")
 
 
 def test_what_is_recalled_is_said_so_in_the_table(panel):
