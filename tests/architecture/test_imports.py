@@ -60,6 +60,7 @@ ARROWS = {
     "bindings/palpate/render": (*RENDER, "matplotlib"),
     "bindings/palpate/viewport": (*RENDER, "PySide6"),
     "bindings/palpate/translation": ("palpate.translation", "PySide6"),
+    "bindings/palpate/records": ("palpate", "numpy", "sqlalchemy"),
     "bindings/palpate/player": ("palpate", "numpy", "PySide6"),
     "bindings/palpate/device_window": ("palpate", "numpy", "PySide6"),
     "bindings/palpate": ("palpate", "numpy", "scipy", "matplotlib"),

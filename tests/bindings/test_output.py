@@ -60,6 +60,10 @@ ARGUMENTS = {
     "study": ["accuracy"],
     "bench": [],
     "organs": ["spleen"],
+    "records export": ["--csv"],
+    "scenario new": ["spleen.palpate", "--title", "Mine"],
+    "scenario selfplay": ["spleen.palpate"],
+    "scenario review": ["a.palpate", "--of", "task", "--by", "A", "--role", "surgeon"],
     "scenario publish": ["spleen.palpate", "assessment.json"],
 }
 """What a verb needs beside the option; else the words of its example."""

@@ -12,6 +12,7 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
 from palpate.device.names import HANDS, POINTER, find_port, split_hand
 from palpate.files.file_kind import RECORD
+from palpate.runs.kept_play import play_kept
 from palpate.runs.live import find_longest
 from palpate.runs.play import DEVICE_FAULT, open_play, play_headless
 from palpate.runs.run import PUBLISHED, say_link
@@ -55,6 +56,13 @@ def add_play(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seed", type=int, default=0, help="what the task's parameters are drawn from; default: 0"
     )
+    whose = parser.add_mutually_exclusive_group()
+    whose.add_argument(
+        "--person", metavar="CODE", help="keep the attempt in the database, under this code"
+    )
+    whose.add_argument(
+        "--guest", action="store_true", help="keep it under no code: it can be linked to nobody"
+    )
     parser.add_argument("--theme", choices=("dark", "light"), default="dark")
 
 
@@ -70,9 +78,13 @@ def run_play(call: argparse.Namespace) -> Report:
         raise WrongCall(f"--seed: got {call.seed}, expected 0 or more")
     play = open_play(call.file, call.device, call.record, call.duration, call.level, call.seed)
     play.language = call.language or ""
+    if (call.person or call.guest) and call.record is not None:
+        raise WrongCall("--record: a kept attempt has its trace beside the database")
     if call.headless:
         if not play.duration and play.drawn is None:
             print(say_endless(play.scenario.scene), file=sys.stderr, flush=True)
+        if call.person or call.guest:
+            return play_kept(play, call.person or "")
         return play_headless(play)
     try:
         from palpate.player import play_in_window
@@ -107,6 +119,8 @@ def describe_play_report(report: Report) -> str:
         lines.append(f"safeguards   {report['averted']}")
     if report.get("device_state"):
         lines.append(f"device       {report['device_state']}")
+    if report.get("attempt"):
+        lines.append(f"attempt      {report['attempt']}")
     lines.append(f"record       {report['record'] or 'none: nothing was played'}")
     lines.append("not validated, not a medical device")
     return "\n".join(lines)

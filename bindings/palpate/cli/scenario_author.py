@@ -12,7 +12,9 @@ from palpate import scenario
 from palpate.assessment import author
 from palpate.assessment.author import AuthorError, Json
 from palpate.assessment.publish import find_regions, read_assessment
+from palpate.command.output import add_output
 from palpate.command.verb import Report, WrongCall, quantity
+from palpate.files.file_kind import ASSESSMENT
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.runs.run import PUBLISHED
@@ -35,7 +37,9 @@ def band_of(unit: str) -> Any:
 
 def add_new(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("organ", type=Path, help=f"published organ, {PUBLISHED}")
-    parser.add_argument("-o", "--out", type=Path, required=True, help="assessment to write, .json")
+    add_output(
+        parser, "-o", "--out", writes=ASSESSMENT, required=True, help="assessment to write, .json"
+    )
     parser.add_argument("--title", required=True, help="in English")
     parser.add_argument("--title-tr", default="", help="in Turkish; sentences are written in both")
     parser.add_argument("--id", default="", help="default: of the title")

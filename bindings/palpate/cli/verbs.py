@@ -9,9 +9,13 @@ from palpate.cli.doctor import DOCTOR
 from palpate.cli.multirate import MULTIRATE_VERB
 from palpate.cli.play import PLAY
 from palpate.cli.press import PRESS
+from palpate.cli.records import RECORDS_VERB
 from palpate.cli.render import RENDER
 from palpate.cli.replay import REPLAY
 from palpate.cli.scenario import SCENARIO_VERB
 from palpate.cli.study import STUDY
 
-VERBS = [DOCTOR, PRESS, PLAY, SCENARIO_VERB, DEVICE, REPLAY, RENDER, BENCH, STUDY, MULTIRATE_VERB]
+VERBS = [
+    *(DOCTOR, PRESS, PLAY, SCENARIO_VERB, RECORDS_VERB, DEVICE, REPLAY, RENDER, BENCH, STUDY),
+    MULTIRATE_VERB,
+]

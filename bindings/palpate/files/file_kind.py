@@ -27,6 +27,8 @@ MULTIRATE = "a multi-rate chart"
 SELFTEST = "the report of a self-test"
 REPLAY = "the report of a replay"
 SUMMARY = "the summary of a demo"
+ASSESSMENT = "an assessment"
+ATTEMPTS = "a table of attempts"
 NOTHING = "nothing"
 """No file, or an empty one: there is nothing to lose."""
 OTHER = "another file"
@@ -49,12 +51,14 @@ OF_JSON = {
     b'"action": "selftest"': SELFTEST,
     b'"largest_force_difference_N"': REPLAY,
     b'"force_plot"': SUMMARY,
+    b'"palpate_scenario"': ASSESSMENT,
 }
 """What stands in a JSON file without such a member -> what it is."""
 FORMAT = re.compile(rb'"format"\s*:\s*"([^"]{1,40})"')
 ENOUGH = 65536
 """[bytes] of a text that tell what it is."""
 MOST_MANIFEST_BYTES = 4 * 2**20
+TABLE_OF_ATTEMPTS = b"# Not validated. Not a medical device. Results do not show"
 STL_HEADER, STL_TRIANGLE = 84, 50
 """[bytes]"""
 OBJ_WORDS = {b"v", b"vn", b"vt", b"f", b"g", b"o", b"s", b"mtllib", b"usemtl"}
@@ -95,6 +99,8 @@ def find_kind_of_text(begin: bytes, size: int) -> str:
         return find_kind_of_json(begin)
     if b"<svg" in begin:
         return SVG
+    if begin.startswith(TABLE_OF_ATTEMPTS):
+        return ATTEMPTS
     if begin.lstrip().startswith(b"solid") or is_binary_stl(begin, size):
         return STL
     if re.match(rb"[^\n]*: firmware [^\n]*, no\. ", begin):

@@ -75,6 +75,19 @@ class Journal:
         self.file.close()
 
 
+def open_locked(path: Path) -> int | None:
+    """A handle with a lock on a file, which is made where it is not there; None where another
+    program has it. The lock lives as long as this program, or the handle. Raises OSError.
+    """
+    handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(handle)
+        return None
+    return handle
+
+
 def begin_part_name(target: Path) -> str:
     """What all names of new files beside `target` begin with."""
     return f".{os.fsdecode(os.fsencode(target.name)[:MOST_NAME_BYTES])}.part-"

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Attempts that are kept in the database of this station: whose they are, and from when on.
+
+The row of an attempt and its trace are there before its first tick. palpate.records is imported
+where it is needed: it loads SQLAlchemy.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+from palpate.command.verb import Report, WrongCall
+from palpate.device.names import find_port
+from palpate.runs.play import Play, play_headless
+from palpate.scene.scene_file import hash_file
+
+if TYPE_CHECKING:
+    from palpate.records.attempts import Begun
+    from palpate.records.people import Person
+    from palpate.records.store import Store
+
+
+class Keeper:
+    """Keeps the attempts of one person at one device, one after the other."""
+
+    def __init__(self, store: Store, who: Person, play: Play):
+        """Raises WrongCall for a person who has not agreed to be recorded."""
+        from palpate.records.attempts import begin_session
+
+        if not who.practice:
+            raise WrongCall("--person: has not agreed to be recorded; `palpate records join` asks")
+        self.store, self.who, self.play = store, who, play
+        self.file_sha256 = hash_file(play.path)
+        self.session = begin_session(store, who, self.device, {})
+        self.begun: Begun | None = None
+
+    @property
+    def device(self) -> str:
+        """What kind it is."""
+        play = self.play
+        if find_port(play.arm):
+            return "arm"
+        return f"simulated hand {play.hand}" if play.hand else "script" if play.frames else "mouse"
+
+    @property
+    def has_force(self) -> bool:
+        return bool(find_port(self.play.arm))
+
+    def begin(self) -> Begun:
+        """The row of one more attempt is on the disk; its trace is to be written where it says."""
+        from palpate.records.attempts import begin_attempt
+
+        assert self.play.drawn is not None
+        scenario, drawn = self.play.scenario, self.play.drawn
+        self.begun = begin_attempt(self.store, self.session, scenario, drawn, self.file_sha256)
+        return self.begun
+
+    def end(self, report: Report) -> None:
+        """Its verdict, in one transaction."""
+        from palpate.records.attempts import end_attempt
+
+        begun, self.begun = self.begun, None
+        if begun is not None:
+            end_attempt(self.store, begun, {**report, "has_force": self.has_force})
+
+    def give_up(self) -> None:
+        """What is begun and cannot be ended stays `interrupted`, with what its trace holds."""
+        from palpate.records.attempts import close_one
+
+        begun, self.begun = self.begun, None
+        if begun is not None:
+            close_one(self.store, begun.id, begun.trace)
+            self.store.unlock(begun.id, begun.lock)
+
+
+def open_keeper(play: Play, code: str) -> Keeper:
+    """Of the person of a code; an empty one is a guest, who agrees by asking to be kept. Attempts
+    that a killed program left are closed first. Raises WrongCall, Refusal or OSError.
+    """
+    from palpate.records.attempts import close_interrupted
+    from palpate.records.people import add_person, find_person, give_consent
+    from palpate.records.store import Store
+
+    if play.drawn is None:
+        raise WrongCall(f"--person or --guest: {play.path.name} has no task that is judged")
+    store = Store()
+    close_interrupted(store)
+    if not code:
+        return Keeper(store, give_consent(store, add_person(store, guest=True), "en"), play)
+    who = find_person(store, code)
+    if who is None:
+        raise WrongCall(f"--person: got {code!r}, expected a code of `palpate records join`")
+    return Keeper(store, who, play)
+
+
+def play_kept(play: Play, code: str) -> Report:
+    """As play_headless, kept in the database."""
+    keeper = open_keeper(play, code)
+    begun = keeper.begin()
+    print(f"attempt {begun.id}", file=sys.stderr, flush=True)
+    play.record = begun.trace
+    try:
+        report: dict[str, Any] = play_headless(play)
+        keeper.end(report)
+    except BaseException:
+        keeper.give_up()
+        raise
+    return {**report, "attempt": begun.id, "person": keeper.who.code}
