@@ -25,7 +25,6 @@ import palpate
 from palpate.bench.meshes import generate_mesh
 from palpate.runs.live import LiveRun
 from palpate.runs.press import find_top
-from palpate.runs.run import sample_of
 from palpate.study.multirate import (
     PHASES,
     HandWay,
@@ -80,7 +79,15 @@ def feel_live(
         report = run.finish()
         record = palpate.read_record(str(path))
     assert palpate.replay(built, record).equal, "the record does not replay to the bit"
-    return [sample_of(row) for row in record.hand], record.felt["force"].astype(float), report
+    return [read_sample(row) for row in record.hand], record.felt["force"].astype(float), report
+
+
+def read_sample(row: np.void) -> palpate.HapticSample:
+    """A row of a record's hand."""
+    sample = palpate.HapticSample(position=row["position"], velocity=row["velocity"])
+    sample.time, sample.orientation, sample.grip = row["time"], row["orientation"], row["grip"]
+    sample.buttons = int(row["buttons"])
+    return sample
 
 
 def say(row: MultirateRow, jump: float) -> dict[str, float | bool]:

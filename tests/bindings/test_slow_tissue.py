@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import palpate
 import pytest
+from palpate.runs.coupling import describe_couplings, say_couplings
 from palpate.runs.live import LiveRun
 from surfaces import organ_scene, press_frames
 
@@ -61,3 +62,33 @@ def test_a_device_that_declares_nothing_keeps_nothing_passive_and_an_arm_does():
     assert 0.0 < dynamics.delay < 0.01
     found = palpate.find_passive_stiffness(dynamics, 1e-3)
     assert found == pytest.approx(dynamics.damping / (0.5e-3 + dynamics.delay))
+
+
+def test_a_run_says_up_to_where_its_device_is_passive_and_what_its_coupling_takes():
+    scene = organ_scene(2)
+    scene.instruments[0].coupling.stiffness = 900.0
+    scene = palpate.build_scene(scene)
+    options = palpate.LoopOptions(duration=0.05, realtime=False)
+    arm = palpate.SimulatedArm(press())
+    arm.open()
+    with LiveRun(scene, arm, options=options) as run:
+        run.wait(30.0)
+    costs = run.finish()
+
+    (row,) = describe_couplings(costs, scene)["couplings"]
+    lines = "\n".join(say_couplings({"couplings": [row]}))
+
+    assert row["passive_N_per_m"] == costs.devices[0].passive_stiffness > 0.0
+    assert row["felt_within_a_tenth_N_per_m"] == pytest.approx(100.0)
+    assert "coupling     900 N/m" in lines and "tissue of 100 N/m feels a tenth too soft" in lines
+    harder = row["passive_N_per_m"] < 900.0
+    assert ("passivity controller" in lines) == harder
+
+
+def test_a_device_that_declares_no_damping_is_not_said_to_be_passive():
+    scene = slow_scene()
+    options = palpate.LoopOptions(duration=0.05, realtime=False)
+    with LiveRun(scene, press(), options=options) as run:
+        run.wait(30.0)
+
+    assert describe_couplings(run.finish(), scene) == {}

@@ -16,6 +16,7 @@ from palpate.assessment.verdict import describe_attempt
 from palpate.command.verb import Report, WrongCall
 from palpate.files.refusal import Refusal
 from palpate.runs.alarms import tell_alarm, tell_averted
+from palpate.runs.coupling import describe_couplings, say_couplings
 from palpate.runs.element import Element, cut_hand, find_element
 from palpate.runs.live import LiveRun, find_longest
 from palpate.runs.press import Place, PressScript, PressTimes, measure_press, write_script
@@ -197,6 +198,7 @@ def describe_costs(costs: palpate.LoopReport, scene: palpate.Scene) -> Report:
         "passivity_interventions": costs.interventions,
         "damped_ticks": costs.damped_ticks,
         **describe_exchanges(costs),
+        **describe_couplings(costs, scene),
     }
 
 
@@ -226,7 +228,7 @@ def say_link(report: Report) -> list[str]:
             f"{report['late_exchanges']} late; {report['exchange_median_ms']:.1f} ms median, "
             f"{report['exchange_p99_ms']:.1f} ms p99"
         )
-    return lines
+    return [*lines, *say_couplings(report)]
 
 
 def run_script(

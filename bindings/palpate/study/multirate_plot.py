@@ -9,7 +9,7 @@ from pathlib import Path
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from palpate.files.whole_file import write_whole
 from palpate.render.force_plot import DPI, RUN_COLOURS, dress, write_key
@@ -50,6 +50,8 @@ def save_multirate_plot(path: Path, chart: MultirateChart) -> None:
     jump.set_ylabel("largest jump in a tick [mN]\n(dotted: at full rate)")
     for axes in (rms, largest, jump):
         axes.set_yscale("log")
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axes.yaxis.set_minor_formatter(NullFormatter())
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     plot(margin, chart, "margin")
     margin.axhline(0.0, color=theme.faint, linewidth=1.0)
