@@ -17,7 +17,7 @@ PUBLISHED = Path(__file__).resolve().parents[2] / "meshes" / "published"
 HAND_RATE, TICKS = 1000.0, 50
 DEPTH, ABOVE, STEP = 5e-3, 2e-3, 1e-4
 """[m] of the press, of the hand before it, and of the difference."""
-APPROACH, SETTLE, SETTLE_AGAIN = 60, 2000, 800
+APPROACH, SETTLE, SETTLE_AGAIN = 600, 2000, 800
 """Ticks."""
 
 
@@ -47,21 +47,17 @@ def compare_stiffness(name: str) -> tuple[float, float]:
     return told, (lower - higher) / (2.0 * STEP)
 
 
-@pytest.mark.parametrize(
-    "name, error", [("spleen", 0.1), pytest.param("liver", 0.2, marks=pytest.mark.landing)]
-)
-def test_the_local_stiffness_of_a_solid_is_that_of_its_scene(name, error):
+def some(name: str) -> object:
+    return pytest.param(name, marks=pytest.mark.landing) if name == "liver" else name
+
+
+@pytest.mark.parametrize("name", [some("spleen"), some("gallbladder"), some("liver")])
+def test_the_local_stiffness_of_an_organ_that_was_pressed_is_that_of_its_scene(name):
+    """From 200 particles alone that of the gallbladder, a curved wall, is told 1.9 times as large:
+    what it shows from exchange to exchange takes that back."""
     told, measured = compare_stiffness(name)
 
-    assert told == pytest.approx(measured, rel=error)
-
-
-@pytest.mark.landing
-def test_the_local_stiffness_of_a_curved_wall_is_too_large():
-    """Where it fails: the gallbladder is told nearly twice as stiff as it is."""
-    told, measured = compare_stiffness("gallbladder")
-
-    assert 1.5 < told / measured < 2.2
+    assert told == pytest.approx(measured, rel=0.2)
 
 
 def compare_cut_out(name: str, most: int) -> float:
@@ -71,7 +67,7 @@ def compare_cut_out(name: str, most: int) -> float:
     place, instrument = find_top(scene), scene.instruments[0]
     outward, world = np.asarray(place.outward), palpate.World(scene)
     pressed = np.asarray(place.point) + (instrument.tool.radius - DEPTH) * outward
-    for left in [*np.linspace(1.0, 0.0, APPROACH), *np.zeros(SETTLE // 2)]:
+    for left in [*np.linspace(1.0, 0.0, APPROACH // 10), *np.zeros(SETTLE // 2)]:
         sample = palpate.HapticSample(position=pressed + (DEPTH + ABOVE) * left * outward)
         palpate.tick(scene, sample, 1.0 / scene.rate, world)
     tissue = scene.bodies[0].tissue

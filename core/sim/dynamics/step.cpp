@@ -9,6 +9,8 @@
 #include "palpate/sim/dynamics/forces.h"
 #include "palpate/sim/dynamics/private/free_particles.h"
 #include "palpate/sim/dynamics/private/law.h"
+#include "palpate/sim/dynamics/private/step_limit.h"
+#include "palpate/sim/model/private/sum_over_pushes.h"
 
 namespace palpate {
 namespace {
@@ -211,6 +213,18 @@ void step(const TissueModel& model, const Load& load, double dt, Integrator inte
   }
   advance_internal(model, dt, state);
   state.time += dt;
+}
+
+double kick(const TissueModel& model, const Load& load, double dt, State& state) noexcept {
+  for (const int i : model.fixed) state.velocity[static_cast<std::size_t>(i)].setZero();
+  const double before = sum_over_pushes(load.pushes(), model, state.velocity);
+  std::fill(state.force.begin(), state.force.end(), Vec3::Zero());
+  accumulate_push_forces(model.triangles, model.skin, load.pushes(), state.force);
+  for_each_free(model, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    state.velocity[at] += (dt / model.mass[at]) * state.force[at];
+  });
+  return 0.5 * dt * (before + sum_over_pushes(load.pushes(), model, state.velocity));
 }
 
 }  // namespace palpate

@@ -19,6 +19,19 @@ inline bool uses_damping(Integrator integrator) noexcept {
   return needs_damping(integrator) || integrator == Integrator::symplectic_euler_implicit_damping;
 }
 
+/// Whether it moves particles by the velocity that a step begins with, too. The force of a contact
+/// of stiffness k, held over its stages, drives what it holds: with x' = x + dt v - h²/2 x and
+/// v' = v - h²/dt x, h² = dt² k/m, the determinant of a step is 1 + h²/2, beyond 1 for any step.
+/// Given at the start all at once, it is that of symplectic Euler: x' = x + dt v', and the
+/// determinant is 1 [motion: integrators].
+inline bool wants_kick(Integrator integrator) noexcept {
+  return needs_damping(integrator) || integrator == Integrator::runge_kutta_4 ||
+         integrator == Integrator::implicit_midpoint;
+}
+
+/// The pushes of a load at the start of a step, all at once: v += dt f/m. Returns their work [J].
+double kick(const TissueModel& model, const Load& load, double dt, State& state) noexcept;
+
 /// [s] The exact limit at rest of symplectic Euler with implicit damping: where the largest
 /// eigenvalue of M⁻¹(dt² K - 2 dt C) is 4. Infinite where nothing can swing.
 double find_damped_limit(const TissueModel& model);

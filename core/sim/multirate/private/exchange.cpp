@@ -57,6 +57,7 @@ SlowSide::SlowSide(const Scene& scene, int ticks)
       ticks_(ticks),
       told_(scene.instruments.size()),
       commands_(scene.instruments.size()),
+      scales_(scene.instruments.size()),
       scratch_(make_scratch(scene, world_)) {
   world_.follows_all = false;
 }
@@ -88,6 +89,10 @@ void SlowSide::tell(Exchange& exchange) {
     model = world_.alarm ? LocalModel{.force = commands_[i].force, .held = true}
                          : measure_local_model(scene_, i, world_.instruments[i].hand,
                                                commands_[i].force, world_, scratch_);
+    if (!world_.alarm) {
+      scales_[i].follow(world_.instruments[i].hand, scene_.instruments[i].coupling.stiffness,
+                        model);
+    }
     model.time = exchange.time;
     exchange.held[i] = world_.instruments[i].tool.hold_count;
   }

@@ -8,6 +8,7 @@
 
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/multirate/private/local_force.h"
+#include "palpate/sim/multirate/private/stiffness_scale.h"
 #include "palpate/sim/tick/world.h"
 
 namespace palpate {
@@ -56,6 +57,7 @@ class SlowSide {
   bool has_hands_ = false;
   std::vector<HapticSample> told_;       // per instrument
   std::vector<HapticCommand> commands_;  // per instrument, of the last tick
+  std::vector<StiffnessScale> scales_;   // per instrument
   std::vector<Candidates> scratch_;      // per body
 };
 

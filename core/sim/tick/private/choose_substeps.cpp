@@ -103,9 +103,11 @@ double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
         scene.instruments[i].coupling.stiffness);
   }
   if (!(contact > 0.0)) return 1.0;
-  const double limit = is_implicit(soft.integrator)
-                           ? 2.0 / std::sqrt(contact)
-                           : find_limit(soft, work.chosen_stiffness + contact);
+  // no integrator bears more of what is told at the start of a step [motion: integrators]
+  double limit = 2.0 / std::sqrt(contact);
+  if (!is_implicit(soft.integrator)) {
+    limit = std::min(limit, find_limit(soft, work.chosen_stiffness + contact));
+  }
   return std::ceil(dt / (kStepShare * limit));
 }
 

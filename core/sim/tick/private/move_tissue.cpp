@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <memory>
 
 #include "palpate/sim/dynamics/private/measure_stretch.h"
+#include "palpate/sim/dynamics/private/step_limit.h"
 #include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/model/private/sum_over_pushes.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
@@ -20,29 +23,6 @@ namespace {
 
 /// Makes a displacement measured in float no shorter than it was.
 constexpr double kWiden = 1.0 + 1e-6;
-
-/// Sum over the pushes of force times `field` where they push: [W] for the velocities of the
-/// particles, which times the substep is the pushes' work to the last bit, because symplectic Euler
-/// moves particles with the new velocity; [J], but for a constant, for their positions.
-double sum_over_pushes(std::span<const Push> pushes, const TissueModel& tissue,
-                       std::span<const Vec3> field) noexcept {
-  const auto value_at = [&](int vertex) noexcept -> Vec3 {
-    if (tissue.skin.corners.empty()) return field[static_cast<std::size_t>(vertex)];
-    const auto& corners = tissue.skin.corners[static_cast<std::size_t>(vertex)];
-    const auto& weights = tissue.skin.weights[static_cast<std::size_t>(vertex)];
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < 4; ++k) sum += weights[k] * field[corners[k]];
-    return sum;
-  };
-  double total = 0.0;
-  for (const Push& push : pushes) {
-    const auto& [i, j, k] = tissue.triangles[static_cast<std::size_t>(push.triangle)];
-    const Vec3 patch = push.weights[0] * value_at(i) + push.weights[1] * value_at(j) +
-                       push.weights[2] * value_at(k);
-    total += push.force.dot(patch);
-  }
-  return total;
-}
 
 /// Adds `what` to `list` unless it is there in this tick already.
 void add_once(int what, long tick, std::vector<long>& last_at, std::vector<int>& list,
@@ -142,33 +122,53 @@ void choose_in_tree(PackedKernel& kernel, AabbTree& tree) noexcept {
 
 void begin(ReferenceKernel&, const Moved&) noexcept {}
 
-/// By which a body is stepped where its kernel is the reference, or its safeguard.
-Integrator choose_integrator(const Moved& moved) noexcept {
-  return is_damped_implicitly(moved.state) ? Integrator::symplectic_euler_implicit_damping
-                                           : moved.body.integrator;
+/// By which a body is stepped in double: its own integrator, or its safeguard's.
+Integrator choose_integrator(const SoftBody& body, const SoftState& state) noexcept {
+  return is_damped_implicitly(state) ? Integrator::symplectic_euler_implicit_damping
+                                     : body.integrator;
 }
 
 /// False where there is no solution, or no memory to find it with.
-bool step_implicitly(const SoftBody& body, double dt, OwnStepper& own, SoftState& state) noexcept {
+bool step_implicitly(const SoftBody& body, const Load& load, double dt, OwnStepper& own,
+                     SoftState& state) noexcept {
   try {
     if (!own.stepper || own.model != &body.tissue) {
       own.stepper =
           std::make_unique<ImplicitStepper>(body.tissue, body.integrator, body.iterations);
       own.model = &body.tissue;
     }
-    return own.stepper->step(state.load, dt, state.tissue) > 0;
+    return own.stepper->step(load, dt, state.tissue) > 0;
   } catch (const std::exception&) {
     return false;
   }
 }
 
+void step_by(Integrator integrator, const SoftBody& body, const Load& load, double dt,
+             ReferenceKernel* kernel, SoftState& state) noexcept {
+  if (is_implicit(integrator) && kernel) {
+    kernel->unsolved = !step_implicitly(body, load, dt, kernel->implicit, state);
+  } else {
+    step(body.tissue, load, dt, integrator, state.tissue);
+  }
+}
+
 /// A step of the plain laws in double, on SoftState::tissue itself; returns the pushes' work [J].
-double step_explicitly(const Moved& moved, Integrator integrator, double dt) noexcept {
-  const TissueModel& tissue = moved.body.tissue;
-  SoftState& state = moved.state;
+/// `kernel` where that is the reference: it keeps what implicit integrators need.
+double step_in_double(const SoftBody& body, double dt, ReferenceKernel* kernel,
+                      SoftState& state) noexcept {
+  const TissueModel& tissue = body.tissue;
+  const Integrator integrator = choose_integrator(body, state);
   const std::span<const Push> pushes = state.load.pushes();
+  if (wants_kick(integrator)) {
+    Load bare;
+    bare.gravity = state.load.gravity;
+    const double work = kick(tissue, state.load, dt, state.tissue);
+    step_by(integrator, body, bare, dt, kernel, state);
+    move_skin(tissue.skin, state.tissue.position, state.skin);
+    return work;
+  }
   const double before = sum_over_pushes(pushes, tissue, state.tissue.position);
-  step(tissue, state.load, dt, integrator, state.tissue);
+  step_by(integrator, body, state.load, dt, kernel, state);
   move_skin(tissue.skin, state.tissue.position, state.skin);
   if (integrator == Integrator::symplectic_euler ||
       integrator == Integrator::symplectic_euler_implicit_damping) {
@@ -178,16 +178,8 @@ double step_explicitly(const Moved& moved, Integrator integrator, double dt) noe
 }
 
 double step_kernel(ReferenceKernel& kernel, const Moved& moved, double dt, bool) noexcept {
-  const TissueModel& tissue = moved.body.tissue;
-  const Integrator integrator = choose_integrator(moved);
-  SoftState& state = moved.state;
-  if (!is_implicit(integrator)) return step_explicitly(moved, integrator, dt);
   if (kernel.unsolved) return 0.0;
-  const std::span<const Push> pushes = state.load.pushes();
-  const double before = sum_over_pushes(pushes, tissue, state.tissue.position);
-  kernel.unsolved = !step_implicitly(moved.body, dt, kernel.implicit, state);
-  move_skin(tissue.skin, state.tissue.position, state.skin);
-  return sum_over_pushes(pushes, tissue, state.tissue.position) - before;
+  return step_in_double(moved.body, dt, &kernel, moved.state);
 }
 
 Alarm end(ReferenceKernel& kernel, const Moved& moved, double work) noexcept {
@@ -214,7 +206,7 @@ void begin(PackedKernel& kernel, const Moved& moved) noexcept {
 double step_kernel(PackedKernel& kernel, const Moved& moved, double dt, bool last) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   SoftState& state = moved.state;
-  if (is_damped_implicitly(state)) return step_explicitly(moved, choose_integrator(moved), dt);
+  if (is_damped_implicitly(state)) return step_in_double(moved.body, dt, nullptr, state);
   step(*kernel.model, state.load, dt, kernel.state, last ? &kernel.measure : nullptr);
   unpack_near(tissue, kernel, state);
   move_near_skin(tissue, kernel.near, state);
