@@ -42,6 +42,7 @@ from palpate_editor.edits import (
     SetReach,
 )
 from palpate_editor.far_field import SolveFarField
+from palpate_editor.foresee import foresee_too_slow
 from palpate_editor.kinds import compare_kinds, describe_kinds
 from palpate_editor.scene_files import name_mesh, write_scene
 from palpate_editor.verbs.check import describe_problems
@@ -269,6 +270,7 @@ def run_material(call: argparse.Namespace) -> Report:
 def build_assessed(call: argparse.Namespace, organ: Organ) -> Assessment:
     """The organ built and judged as `check` and `publish` judge its tissue. Raises Refusal for what
     cannot be built, and for the first error of the tissue."""
+    refuse_too_slow(call, organ)
     assessment = assess(organ, measured=say_size)
     if assessment.scene is None:
         try:
@@ -279,6 +281,18 @@ def build_assessed(call: argparse.Namespace, organ: Organ) -> Assessment:
         if is_of_tissue(problem) or assessment.scene is None:
             raise Refusal(call.file, problem.where, problem.got, problem.expected)
     return assessment
+
+
+def refuse_too_slow(call: argparse.Namespace, organ: Organ) -> None:
+    """Raises Refusal for a solid of which it is known in a second that it is too slow; made and
+    tried it would take minutes."""
+    try:
+        slow = foresee_too_slow(organ)
+    except ValueError:
+        return  # which the assessment says better
+    if slow is not None:
+        got = f"{organ.fill.tetrahedra}, which asks for {slow.got}"
+        raise Refusal(call.file, "fill.tetrahedra", got, f"fewer than about {round(slow.most, -3)}")
 
 
 def is_of_tissue(problem: Problem) -> bool:
