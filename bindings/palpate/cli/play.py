@@ -12,7 +12,7 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
 from palpate.device.names import HANDS, POINTER, find_port, split_hand
 from palpate.files.file_kind import RECORD
-from palpate.runs.kept_play import play_kept
+from palpate.runs.kept_play import open_keeper, play_kept
 from palpate.runs.live import find_longest
 from palpate.runs.play import DEVICE_FAULT, open_play, play_headless
 from palpate.runs.run import PUBLISHED, say_link
@@ -91,7 +91,10 @@ def run_play(call: argparse.Namespace) -> Report:
     except ImportError as problem:
         raise RuntimeError(f"the window needs PySide6 ({problem}): {EXTRA}") from None
     require_display("--headless plays a script without one")
-    return play_in_window(play, language=call.language, theme=call.theme)
+    if not (call.person or call.guest):
+        return play_in_window(play, language=call.language, theme=call.theme)
+    keeper = open_keeper(play, call.person or "")
+    return play_in_window(play, language=call.language, theme=call.theme, keeper=keeper)
 
 
 def say_endless(scene: palpate.Scene) -> str:

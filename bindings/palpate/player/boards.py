@@ -10,12 +10,15 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
 import palpate
+from palpate.command.verb import Report
 from palpate.player.cards import FolderLine, Page, Table
 from palpate.player.sentences import (
     format_clock,
     format_number,
+    say_earlier,
     say_gestures,
     say_keys,
+    say_no_force,
     say_outcome,
     translate,
 )
@@ -99,13 +102,39 @@ class StartBoard(Board):
         self.gestures = Table(self, say_gestures)
         self.rows.addWidget(self.gestures)
         self.rows.addSpacing(4)
+        self.limits, self.before = self.add("body"), self.add("caption")
+        self.note = self.add("caption")
+        for label in (self.limits, self.before, self.note):
+            label.hide()
         self.start = self.add_button(main=True)
         self.languages = Choice(self, list(LANGUAGES))
         self.rows.addWidget(self.languages)
-        self._folder = folder
+        self._folder: Path | None = folder
+        self._brief: tuple[tuple[str, ...], tuple[Report, ...], bool] = ((), (), True)
         self.records = FolderLine(self)
         self.rows.addWidget(self.records)
         self.say()
+
+    def tell_brief(
+        self, limits: Sequence[str], before: Sequence[Report], force: bool, folder: Path | None
+    ) -> None:
+        """Of a task that is judged: its limits, the attempts before, whether force is felt, and
+        where runs are kept, None for nowhere.
+        """
+        self._folder = folder
+        self._brief = tuple(limits), tuple(before), force
+        self.say()
+
+    def _say_brief(self) -> None:
+        limits, before, force = self._brief
+        said = translate("Player", "Not allowed:")
+        self.limits.setText("\n".join([said, *(f"\N{BULLET} {limit}" for limit in limits)]))
+        self.limits.setVisible(bool(limits))
+        said = translate("Player", "Attempts before")
+        self.before.setText("\n".join([said, *map(say_earlier, before)]))
+        self.before.setVisible(bool(before))
+        self.note.setText(say_no_force())
+        self.note.setVisible(not force)
 
     def tell(self, title: str, task: str) -> None:
         """What the scenario says of itself."""
@@ -114,12 +143,15 @@ class StartBoard(Board):
         self.task.setVisible(bool(task))
 
     def say(self) -> None:
+        self._say_brief()
         self.gestures.say()
         self.start.setText(translate("Player", "Start"))
         for code, name in LANGUAGES.items():
             self.languages.buttons[code].setText(name)
         text = translate("Player", "Every run is recorded in %1")
-        self.records.tell(text.replace("%1", str(self._folder)), self._folder)
+        self.records.setVisible(self._folder is not None)
+        if self._folder is not None:
+            self.records.tell(text.replace("%1", str(self._folder)), self._folder)
 
 
 class MenuBoard(Board):

@@ -30,6 +30,10 @@ class ForceBar(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.limit = limit
         """[N]"""
+        self.band: tuple[float, float] | None = None
+        """[N] in which a step wants the force; infinite without an end."""
+        self.wrong_above = math.inf
+        """[N] of the task's limit"""
         self.force = self.peak = 0.0
         """[N]"""
         self.range = choose_range(0.0, limit)
@@ -45,6 +49,16 @@ class ForceBar(QWidget):
         shown = self._shown + SMOOTHING * (force - self._shown)
         self._shown = force if abs(force - shown) < 5e-3 else shown
         self.range = max(self.range, choose_range(self.peak, self.limit))
+        self.update()
+
+    def show_task(self, band: tuple[float, float] | None, wrong_above: float) -> None:
+        """[N] What a step asks for, None for no force, and from where on it is an error."""
+        if (band, wrong_above) == (self.band, self.wrong_above):
+            return
+        self.band, self.wrong_above = band, wrong_above
+        ends = [*(band or ()), wrong_above]
+        highest = max((end for end in ends if math.isfinite(end)), default=0.0)
+        self.range = max(self.range, choose_range(highest, self.limit))
         self.update()
 
     def rest(self) -> None:
@@ -117,10 +131,31 @@ class ForceBar(QWidget):
         filled.setTop(self._height(column, self._shown))
         painter.fillRect(filled, gradient)
         painter.restore()
+        self._draw_task(painter, column)
         if self.peak > 0.0:
             y = self._height(column, self.peak)
             mark = QRectF(column.left() - 2.0, y - 1.0, column.width() + 4.0, 2.0)
             painter.fillRect(mark, to_colour(theme.text))
+
+    def _draw_task(self, painter: QPainter, column: QRectF) -> None:
+        """The band as a bracket at the left of the column, the limit as a dashed line over it."""
+        accents = ACCENTS[self._theme]
+        if self.band is not None:
+            low = self._height(column, max(self.band[0], 0.0))
+            high = self._height(column, min(self.band[1], self.range))
+            side = column.left() - 7.0
+            for bar in (
+                QRectF(side, high, 3.0, low - high),
+                QRectF(side, high - 1.5, 7.0, 3.0),
+                QRectF(side, low - 1.5, 7.0, 3.0),
+            ):
+                painter.fillRect(bar, to_colour(accents.accent))
+        if self.wrong_above <= self.range:
+            y = self._height(column, self.wrong_above)
+            for k in range(4):
+                x = column.left() + k * column.width() / 3.5
+                dash = QRectF(x, y - 1.5, column.width() / 7.0, 3.0)
+                painter.fillRect(dash, to_colour(accents.hot))
 
     def _draw_ticks(self, painter: QPainter, column: QRectF, m: float) -> None:
         theme, accents = THEMES[self._theme], ACCENTS[self._theme]

@@ -11,7 +11,9 @@ from PySide6.QtWidgets import QFrame
 
 from palpate.player.boards import Board, EndBoard, MenuBoard, StartBoard
 from palpate.player.cards import Banner, ClockCard, KeyLine, Notice, TaskCard
+from palpate.player.debrief import DebriefBoard
 from palpate.player.force_bar import ForceBar
+from palpate.player.people_boards import ConsentBoard, WhoBoard
 from palpate.player.sentences import say_keys, translate
 from palpate.runs.play import Play
 from palpate.viewport import View, navigation
@@ -41,6 +43,11 @@ class Overlays(QObject):
         self.pause, self.device = Banner(view, "warning"), Banner(view, "alarm")
         self.start = StartBoard(view, play.record_folder())
         self.menu, self.end = MenuBoard(view), EndBoard(view)
+        self.who, self.consent = WhoBoard(view), ConsentBoard(view)
+        self.debrief = DebriefBoard(view)
+        self.boards: tuple[Board, ...] = (
+            *(self.start, self.menu, self.end), *(self.who, self.consent, self.debrief),
+        )  # fmt: skip
         self._letter = 16.0
         self._free = (0, 0, 0, 0)
         self.tell_task()
@@ -56,7 +63,7 @@ class Overlays(QObject):
 
     def board(self) -> Board | None:
         """The one that is shown."""
-        return next((b for b in (self.start, self.menu, self.end) if not b.isHidden()), None)
+        return next((b for b in self.boards if not b.isHidden()), None)
 
     def reset(self) -> None:
         """As before a run."""
@@ -82,9 +89,9 @@ class Overlays(QObject):
 
     def show_board(self, board: Board | None) -> None:
         """One of the boards, or none; what else there is to read steps back for it."""
-        for other in (self.start, self.menu, self.end):
+        for other in self.boards:
             other.setVisible(other is board)
-        self.task.setVisible(board is None or board is self.end)
+        self.task.setVisible(board is None or board in (self.end, self.debrief))
         self.pause.setVisible(board is None and bool(self.pause.sentence))
         self.place()
 
@@ -98,7 +105,7 @@ class Overlays(QObject):
     def say(self) -> None:
         """Sets all texts, in the language of the program."""
         paused = bool(self.pause.sentence)
-        for panel in (self.clock, self.notice, self.keys, self.start, self.menu, self.end):
+        for panel in (self.clock, self.notice, self.keys, *self.boards):
             panel.say()
         self.tell_task()
         self.force.update()
@@ -125,7 +132,7 @@ class Overlays(QObject):
         self._keep_free(width, height, notice_top)
         self._place_keys(width, notice_top)
         self._place_banners(width, m)
-        for board in (self.start, self.menu, self.end):
+        for board in self.boards:
             self._centre(board, round(min(34.0 * m, 0.9 * width)), notice_top - GAP)
 
     def _keep_free(self, width: int, height: int, notice_top: int) -> None:

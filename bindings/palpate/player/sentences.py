@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication, QLocale
 
 import palpate
 from palpate.command.sentence import fill
+from palpate.command.verb import Report
 from palpate.runs.alarms import advise_hand, say_alarm, say_safeguard
 
 translate = QCoreApplication.translate
@@ -76,6 +77,21 @@ def say_outcome(state: palpate.TaskState) -> str:
     }
     left = translate("Player", "The task was left before it was done. Errors: %1.")
     return sentences.get(state.outcome, left).replace("%1", str(state.errors))
+
+
+def say_no_force() -> str:
+    return translate("Player", "The mouse gives no force: these numbers are not comparable.")
+
+
+def say_earlier(row: Report) -> str:
+    """An attempt of the database."""
+    outcomes = {
+        "done": translate("Player", "done"), "failed": translate("Player", "failed"),
+        "timed_out": translate("Player", "time over"), "left": translate("Player", "left"),
+    }  # fmt: skip
+    outcome = outcomes.get(row["outcome"], translate("Player", "interrupted"))
+    clock = format_clock(row["ticks"] / 1000.0)
+    return f"{row['started'][:10]}  {row['level']}  {outcome}, {clock}"
 
 
 def say_slow(missed: int, due: int) -> str:

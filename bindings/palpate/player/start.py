@@ -12,16 +12,23 @@ from PySide6.QtCore import QSocketNotifier
 
 from palpate.command.verb import Report
 from palpate.player.trainee_window import TraineeWindow
+from palpate.runs.kept_play import Keeper
 from palpate.runs.play import Play
 from palpate.viewport.application import open_application
 
 
-def play_in_window(play: Play, language: str | None = None, theme: str = "dark") -> Report:
-    """Shows the window until it is closed. Raises OSError where a record was lost."""
+def play_in_window(
+    play: Play, language: str | None = None, theme: str = "dark", keeper: Keeper | None = None
+) -> Report:
+    """Shows the window until it is closed; `keeper` is of a person who was named before. Raises
+    OSError where a record was lost.
+    """
     app, code = open_application(language)
     window = TraineeWindow(play, theme, code)
+    if keeper is not None:
+        window.attendance.use(keeper)
     window.show()
-    if play.frames is not None:  # a script needs nobody to be ready
+    if play.frames is not None or play.hand:  # a script needs nobody to be ready
         window.restart()
     with Watch(window):
         app.exec()

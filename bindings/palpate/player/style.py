@@ -99,6 +99,9 @@ def build_style(name: str, letter: float) -> str:
     QFrame#warning {{ background: {as_css(theme.panel, 0.85)}; border-radius: 12px;
         border: 1px solid {as_css(accents.warm)}; }}
     QLabel#warning_text {{ color: {as_css(accents.warm)}; font-size: {letter:.0f}px; }}
+    QLineEdit {{ color: {text}; background: {raised}; border: 1px solid {accent};
+        border-radius: 10px; padding: {0.5 * letter:.0f}px {0.8 * letter:.0f}px;
+        font-size: {1.2 * letter:.0f}px; }}
     QPushButton {{ color: {text}; background: {raised};
         border: 1px solid {as_css(theme.text, 0.08)}; border-radius: 10px;
         padding: {0.55 * letter:.0f}px {1.1 * letter:.0f}px;

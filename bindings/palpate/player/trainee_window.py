@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 import palpate
 from palpate import translation
 from palpate.command.verb import Report
+from palpate.player.attendance import Attendance
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.overlays import Overlays
@@ -73,6 +74,7 @@ class TraineeWindow(QWidget):
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self.view)
         self.over = Overlays(self.view, play)
+        self.attendance = Attendance(self, self)
         self._connect()
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -83,7 +85,8 @@ class TraineeWindow(QWidget):
         self.use_theme(theme)
         self.over.start.languages.choose(language)
         self.over.menu.languages.choose(language)
-        self._show_board(self.over.start)
+        self.over.who.languages.choose(language)
+        self.show_board(self.attendance.first_board())
 
     def _connect(self) -> None:
         start, menu, end = self.over.start, self.over.menu, self.over.end
@@ -105,8 +108,9 @@ class TraineeWindow(QWidget):
         hand = self.play.build_hand()
         try:
             device = self.play.build_device(hand)
-            self.run = self.play.begin(device)
+            self.run = self.play.begin(device, self.attendance.begin())
         except OSError as problem:
+            self.attendance.give_up()
             if isinstance(problem, palpate.DeviceError):
                 text = translate("Player", "The device cannot be used, so nothing was started: %1")
             else:
@@ -130,7 +134,7 @@ class TraineeWindow(QWidget):
                 self.hand.deleteLater()
             self.hand = self.view.tool = PointerHand(self.view, hand, self.scene)
         self.phase = Phase.running
-        self._show_board(None)
+        self.show_board(None)
         self.run.start()
         self._timer.start()
 
@@ -143,7 +147,7 @@ class TraineeWindow(QWidget):
     def resume(self) -> None:
         """Not while the device gives no force: the run would rest again at once."""
         if self.phase is Phase.paused and self.run is not None:
-            self._show_board(None)
+            self.show_board(None)
             if self.run.report().fault is not palpate.DeviceFault.none:
                 return
             self.over.show_pause(False)
@@ -154,7 +158,7 @@ class TraineeWindow(QWidget):
         """Pauses too: nobody reads a menu and presses an organ."""
         self.pause()
         if self.phase is Phase.paused:
-            self._show_board(self.over.menu)
+            self.show_board(self.over.menu)
 
     def follow(self) -> None:
         """Shows what the haptic thread did since the last frame; ends the run where it ended, and
@@ -186,6 +190,7 @@ class TraineeWindow(QWidget):
         self._force = float(np.linalg.norm(frame.force))
         self.over.clock.show_time(frame.time)
         self._tell_steps(frame.task)
+        self.attendance.take(frame)
         if int(frame.time) != self._second:
             self._second = int(frame.time)
             missed, self._missed = frame.missed_ticks - self._missed, frame.missed_ticks
@@ -219,13 +224,17 @@ class TraineeWindow(QWidget):
     def _end(self, trouble: str) -> None:
         frame = None if self.run is None else self.run.take_frame()
         if frame is not None:
+            self._time = frame.time
+            self.over.clock.show_time(frame.time)
             self._tell_steps(frame.task)
+            self.attendance.take(frame)
         self._finish()
         self.phase = Phase.over
         record = str(self.play.records[-1])
         self.over.tell_device("")
         self.over.end.tell(self._time, self.over.force.peak, record, trouble, self.play.state)
-        self._show_board(self.over.end)
+        debrief = None if trouble else self.attendance.debrief()
+        self.show_board(debrief or self.over.end)
 
     def _finish(self) -> None:
         """Stops the run and completes its record."""
@@ -238,6 +247,7 @@ class TraineeWindow(QWidget):
         self.view.hint.say(None)
         try:
             self._costs = run.finish()
+            self.attendance.end(self.play.records[-1], self._costs)
         except OSError as problem:
             self._problem = problem
             self._tell_loss()
@@ -252,7 +262,8 @@ class TraineeWindow(QWidget):
         """What was played, for the command line. Raises OSError where a record was lost."""
         if self._problem is not None:
             raise self._problem
-        records = [str(path) for path in self.play.records]
+        kept = not self.attendance.practising
+        records = [str(path) for path in self.play.records if kept]
         report = {**describe_play(self.play), "records": records, "record": None}
         if self._costs is None or not records:
             return report
@@ -274,7 +285,7 @@ class TraineeWindow(QWidget):
         """One of palpate.translation.LANGUAGES."""
         self.language = self.play.language = code
         use_language(code)
-        for board in (self.over.start, self.over.menu):
+        for board in (self.over.start, self.over.menu, self.over.who):
             board.languages.choose(code)
         self.over.say()
         self._tell_title()
@@ -300,7 +311,8 @@ class TraineeWindow(QWidget):
         self.setStyleSheet(build_style(self.theme, letter))
         self.over.use_style(self.theme, letter)
 
-    def _show_board(self, board: Board | None) -> None:
+    def show_board(self, board: Board | None) -> None:
+        """One of those over the picture, or none of them."""
         self.over.show_board(board)
         if board is None:
             self.view.setFocus()

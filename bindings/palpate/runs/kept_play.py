@@ -7,12 +7,16 @@ where it is needed: it loads SQLAlchemy.
 
 from __future__ import annotations
 
+import json
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import palpate
+from palpate.assessment.verdict import describe_verdict, pick_events
 from palpate.command.verb import Report, WrongCall
 from palpate.device.names import find_port
-from palpate.runs.play import Play, play_headless
+from palpate.runs.play import Play, describe_run, play_headless
 from palpate.scene.scene_file import hash_file
 
 if TYPE_CHECKING:
@@ -64,6 +68,17 @@ class Keeper:
         if begun is not None:
             end_attempt(self.store, begun, {**report, "has_force": self.has_force})
 
+    def list_before(self, most: int = 5) -> list[Report]:
+        """Earlier attempts at this task by the same person; of a guest those of now alone."""
+        from palpate.records.queries import list_attempts
+
+        assert self.play.drawn is not None
+        if self.who.code is None:
+            return []
+        rows = list_attempts(self.store, self.who.code, most + 1, self.play.drawn.id)
+        current = None if self.begun is None else self.begun.id
+        return [row for row in rows if row["attempt"] != current][:most]
+
     def give_up(self) -> None:
         """What is begun and cannot be ended stays `interrupted`, with what its trace holds."""
         from palpate.records.attempts import close_one
@@ -74,18 +89,39 @@ class Keeper:
             self.store.unlock(begun.id, begun.lock)
 
 
+def describe_kept(
+    play: Play, record: Path, costs: palpate.LoopReport, state: palpate.TaskState
+) -> Report:
+    """The report of a run that a window has followed, without a replay of it: its events are those
+    of its record, its sums those of its last frame.
+    """
+    assert play.drawn is not None
+    rows = palpate.read_record(str(record))
+    assessment = json.loads(play.scenario.assessment)
+    verdict = describe_verdict(play.drawn, state, pick_events(rows.events), assessment)
+    verdict["outcome"] = palpate.find_outcome(rows).name
+    return {**describe_run(play, record, costs), "verdict": verdict}
+
+
+def open_store() -> Store:
+    """The database, after attempts that a killed program left were closed."""
+    from palpate.records.attempts import close_interrupted
+    from palpate.records.store import Store
+
+    store = Store()
+    close_interrupted(store)
+    return store
+
+
 def open_keeper(play: Play, code: str) -> Keeper:
     """Of the person of a code; an empty one is a guest, who agrees by asking to be kept. Attempts
     that a killed program left are closed first. Raises WrongCall, Refusal or OSError.
     """
-    from palpate.records.attempts import close_interrupted
     from palpate.records.people import add_person, find_person, give_consent
-    from palpate.records.store import Store
 
     if play.drawn is None:
         raise WrongCall(f"--person or --guest: {play.path.name} has no task that is judged")
-    store = Store()
-    close_interrupted(store)
+    store = open_store()
     if not code:
         return Keeper(store, give_consent(store, add_person(store, guest=True), "en"), play)
     who = find_person(store, code)

@@ -108,12 +108,13 @@ class Play:
             else palpate.find_safety_limits(driver.calibration())
         )
 
-    def begin(self, device: palpate.HapticDevice) -> LiveRun:
-        """A run that has not started yet, and the file its record will be.
+    def begin(self, device: palpate.HapticDevice, trace: Path | None = None) -> LiveRun:
+        """A run that has not started yet, and the file its record will be: `trace`, where it is
+        kept.
 
         Raises OSError where no record can be written.
         """
-        path = self.name_record()
+        path = self.name_record() if trace is None else trace
         header = describe_build(self.scenario.scene, self.path, path, device.name(), self.drawn)
         safety = self.find_safety(device)
         options = palpate.LoopOptions(
@@ -156,6 +157,17 @@ class Play:
             said = find_text(assessment, step["say"], self.language or "en", self.drawn.values)
             lines.append(f"{MARKS.get(status, LATER)} {said}")
         return "\n".join(lines)
+
+    def say_limits(self) -> list[str]:
+        """What each limit of the task says."""
+        if self.drawn is None:
+            return []
+        assessment, values = json.loads(self.scenario.assessment), self.drawn.values
+        language = self.language or "en"
+        return [
+            find_text(assessment, limit["say"], language, values)
+            for limit in assessment.get("limits", [])
+        ]
 
     def title(self) -> str:
         """What a window calls it: its title, else its file."""

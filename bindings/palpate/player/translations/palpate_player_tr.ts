@@ -4,6 +4,150 @@
 <context>
     <name>Player</name>
     <message>
+        <source>%1 s beyond</source>
+        <translation>%1 s aşıldı</translation>
+    </message>
+    <message>
+        <source>, goal: at least %1</source>
+        <translation>, hedef: en az %1</translation>
+    </message>
+    <message>
+        <source>, goal: at most %1</source>
+        <translation>, hedef: en çok %1</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Yeniden</translation>
+    </message>
+    <message>
+        <source>Another seed, or the next level.</source>
+        <translation>Başka bir tohum ya da sonraki düzey.</translation>
+    </message>
+    <message>
+        <source>As a guest: kept under no code</source>
+        <translation>Konuk olarak: kodsuz saklanır</translation>
+    </message>
+    <message>
+        <source>Attempts before</source>
+        <translation>Önceki denemeler</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Hatalar</translation>
+    </message>
+    <message>
+        <source>Finish every step; there is no hurry.</source>
+        <translation>Her adımı tamamlayın; acele etmeyin.</translation>
+    </message>
+    <message>
+        <source>Go on with this code</source>
+        <translation>Bu kodla devam et</translation>
+    </message>
+    <message>
+        <source>I agree</source>
+        <translation>Kabul ediyorum</translation>
+    </message>
+    <message>
+        <source>I do not: practice, nothing is kept</source>
+        <translation>Kabul etmiyorum: alıştırma, hiçbir şey saklanmaz</translation>
+    </message>
+    <message>
+        <source>I have no code yet</source>
+        <translation>Henüz kodum yok</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Saklandığı yer: %1</translation>
+    </message>
+    <message>
+        <source>Nobody has the code %1 on this computer.</source>
+        <translation>Bu bilgisayarda %1 kodu kimsenin değil.</translation>
+    </message>
+    <message>
+        <source>Not allowed:</source>
+        <translation>Yapılmaması gerekenler:</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>En yüksek kuvvet</translation>
+    </message>
+    <message>
+        <source>Practice: nothing is kept</source>
+        <translation>Alıştırma: hiçbir şey saklanmaz</translation>
+    </message>
+    <message>
+        <source>Practice: nothing was kept.</source>
+        <translation>Alıştırma: hiçbir şey saklanmadı.</translation>
+    </message>
+    <message>
+        <source>The database cannot be used, so nothing can be kept: %1</source>
+        <translation>Veritabanı kullanılamıyor, hiçbir şey saklanamaz: %1</translation>
+    </message>
+    <message>
+        <source>The mouse gives no force: these numbers are not comparable.</source>
+        <translation>Fare kuvvet vermez: bu sayılar karşılaştırılamaz.</translation>
+    </message>
+    <message>
+        <source>The same again, to bring every goal within its bound.</source>
+        <translation>Aynısını bir daha, her hedefi sınırına getirmek için.</translation>
+    </message>
+    <message>
+        <source>The same, with fewer pauses between the steps.</source>
+        <translation>Aynısı, adımlar arasında daha az duraksayarak.</translation>
+    </message>
+    <message>
+        <source>To try next</source>
+        <translation>Sonra denenecek</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Uyarılar</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Neler saklanır</translation>
+    </message>
+    <message>
+        <source>Who plays?</source>
+        <translation>Kim oynuyor?</translation>
+    </message>
+    <message>
+        <source>Worst moments</source>
+        <translation>En kötü anlar</translation>
+    </message>
+    <message>
+        <source>Your attempts are kept under a code, without your name.</source>
+        <translation>Denemeleriniz adınız olmadan bir kod altında saklanır.</translation>
+    </message>
+    <message>
+        <source>Your code</source>
+        <translation>Kodunuz</translation>
+    </message>
+    <message>
+        <source>Your code is %1. Write it down: nobody can find it for you.</source>
+        <translation>Kodunuz %1. Bir yere yazın: sizin için kimse bulamaz.</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>tamam</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>başarısız</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>kesildi</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>bırakıldı</translation>
+    </message>
+    <message>
+        <source>time over</source>
+        <translation>süre doldu</translation>
+    </message>
+    <message>
         <source>Time %1. Peak force %2 N.</source>
         <translation>Süre %1. En yüksek kuvvet %2 N.</translation>
     </message>

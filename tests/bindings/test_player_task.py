@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A task that is judged, in the trainee's window: who, consent, brief, play, debrief, history."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import palpate
+import pytest
+from palpate import scenario
+from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.player import TraineeWindow
+from palpate.player.trainee_window import Phase
+from palpate.records.people import find_person
+from palpate.records.queries import list_attempts, show_attempt
+from palpate.records.store import ENVIRONMENT, Store
+from palpate.runs.play import Play, open_play
+from PySide6.QtTest import QTest
+from trainees import texts
+from windows import LEFT, grab
+
+MESHES = Path(__file__).resolve().parents[2] / "meshes"
+PATIENCE = 60_000
+"""[ms] A run on a machine that has much else to do."""
+
+
+@pytest.fixture(scope="module")
+def short_task(tmp_path_factory) -> Path:
+    """A patch to be touched, then pressed for a moment, with a limit that a press passes."""
+    path = MESHES / "scenarios" / "simple_tissue.json"
+    assessment = read_assessment(path)
+    assessment["steps"] = [step for step in assessment["steps"] if step["id"] in ("touch", "push")]
+    assessment["levels"] = ["normal"]
+    assessment["parameters"] = {"press": {"unit": "N", "value": 0.3},
+                                "limit": {"unit": "N", "value": 0.2}}  # fmt: skip
+    organ = scenario.read(MESHES / "published" / "simple_tissue.palpate")
+    out = tmp_path_factory.mktemp("task") / "tissue.palpate"
+    scenario.write(out, with_assessment(path, assessment, organ))
+    return out
+
+
+@pytest.fixture
+def database(tmp_path, monkeypatch) -> Path:
+    monkeypatch.setenv(ENVIRONMENT, str(tmp_path / "db" / "records.sqlite"))
+    return tmp_path / "db" / "records.sqlite"
+
+
+class Scripted(Play):
+    """A mouse's window, whose hand is a careful one."""
+
+    def build_hand(self) -> palpate.HapticDevice:
+        from palpate.assessment.selfplay import attempt
+
+        assert self.drawn is not None
+        return palpate.ReplayDevice(attempt(self.scenario.scene, self.drawn, "careful").samples)
+
+
+def open_task(short_task: Path) -> Play:
+    play = open_play(short_task)
+    return Scripted(**vars(play))
+
+
+def click(button) -> None:
+    assert button.isVisible(), button.text()
+    QTest.mouseClick(button, LEFT)
+
+
+def picture(window: TraineeWindow, checkout: Path, name: str) -> None:
+    folder = checkout / "build" / "screenshots" / "trainee"
+    folder.mkdir(parents=True, exist_ok=True)
+    assert grab(window) is not None
+    window.grab().save(str(folder / f"{name}.png"))
+
+
+def play_to_the_end(window: TraineeWindow, qtbot) -> None:
+    qtbot.waitUntil(lambda: window.phase is Phase.over, timeout=PATIENCE)
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_a_walk_through_all_screens_keeps_the_attempt(
+    open_window, qtbot, short_task, database, language, checkout
+):
+    window = open_window(open_task(short_task))
+    over = window.over
+    assert over.board() is over.who
+    click(over.who.languages.buttons[language])
+    picture(window, checkout, f"{language}_1_who")
+
+    click(over.who.new)
+    assert over.board() is over.consent
+    code = window.attendance._person.code
+    assert any(code in text for text in texts(window))
+    picture(window, checkout, f"{language}_2_consent")
+    click(over.consent.agree)
+    assert over.board() is over.start
+    picture(window, checkout, f"{language}_3_brief")
+    click(over.start.start)
+    assert len(list_attempts(Store())) == 1  # before its first tick has been drawn
+    qtbot.waitUntil(lambda: over.force.wrong_above == 0.2, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: over.force.force > 0.1, timeout=PATIENCE)
+    picture(window, checkout, f"{language}_4_play")
+    play_to_the_end(window, qtbot)
+
+    assert over.board() is over.debrief
+    picture(window, checkout, f"{language}_5_debrief")
+    (row,) = list_attempts(Store())
+    assert (row["person"], row["outcome"]) == (code, "done")
+    kept = show_attempt(Store(), row["attempt"])
+    assert [step["outcome"] for step in kept["steps"]] == ["done", "done"]
+    assert (database.parent / "traces" / row["trace"]).stat().st_size == row["trace_bytes"] > 0
+    moment = over.debrief.moments[0]
+    assert {"en": "beyond", "tr": "aşıldı"}[language] in moment.text()
+    assert window.attendance.found[0].duration > 0.0
+    click(moment)
+    assert over.board() is None
+    qtbot.waitUntil(lambda: over.board() is over.debrief, timeout=PATIENCE)
+
+    click(over.debrief.restart)
+    play_to_the_end(window, qtbot)
+    assert over.debrief.history.isVisible()
+    assert len(list_attempts(Store())) == 2
+
+
+def test_who_comes_back_needs_a_code_and_two_clicks(open_window, qtbot, short_task, database):
+    from palpate.records.people import add_person, give_consent
+
+    who = give_consent(Store(), add_person(Store()), "en")
+    window = open_window(open_task(short_task))
+    over = window.over
+    over.who.field.setText("nobodyxx")
+    click(over.who.go)
+    assert over.board() is over.who
+    assert any("NOBODYXX" in text for text in texts(window))
+
+    over.who.field.setText(who.code.lower())
+    click(over.who.go)
+    click(over.start.start)
+
+    assert window.phase is Phase.running
+    window.close()
+    (row,) = list_attempts(Store())
+    assert row["person"] == who.code
+    assert row["outcome"] in ("interrupted", "left")
+    assert row["ended"] is not None
+
+
+def test_practice_keeps_nothing_and_a_guest_can_be_linked_to_nobody(
+    open_window, qtbot, short_task, database
+):
+    window = open_window(open_task(short_task))
+    click(window.over.who.practice)
+    click(window.over.start.start)
+    play_to_the_end(window, qtbot)
+    assert not database.exists()
+    assert window.over.board() is window.over.debrief
+    report = window.report()
+    assert (report["record"], report["records"]) == (None, [])
+    assert not window.play.record_folder().exists()
+    window.close()
+
+    window = open_window(open_task(short_task))
+    click(window.over.who.guest)
+    click(window.over.consent.agree)
+    click(window.over.start.start)
+    play_to_the_end(window, qtbot)
+    (row,) = list_attempts(Store())
+    assert (row["person"], row["outcome"]) == (None, "done")
+    assert find_person(Store(), "") is None
+
+
+def test_the_line_that_it_is_no_medical_device_is_on_every_screen(
+    open_window, short_task, database
+):
+    window = open_window(open_task(short_task))
+    for board in window.over.boards:
+        window.show_board(board)
+        assert window.over.notice.isVisible()
+        assert not window.over.notice.geometry().intersects(board.geometry()), board
