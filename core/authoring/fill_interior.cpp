@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "palpate/authoring/cgal/fill_with_mesh_3.h"
+#include "palpate/authoring/collapse_short_edges.h"
 #include "palpate/authoring/self_intersections.h"
 #include "palpate/authoring/source_surface.h"
 #include "palpate/sim/base/private/refuse.h"
@@ -187,6 +188,7 @@ SolidMesh fill_interior(const SurfaceMesh& surface, double cell_size) {
     refuse("fill: cell_size", write_text(1e3 * cell_size, " mm, at which nothing is filled"),
            "a smaller one");
   }
+  collapse_short_edges(1.0, solid);
   validate(solid);
   return solid;
 }
@@ -220,6 +222,7 @@ SolidMesh fill_to_count(const SurfaceMesh& surface, int tetrahedron_count, const
   if (best.tetrahedra.empty()) {
     refuse("fill: surface", "one that no cell fits into", "a body with an inside");
   }
+  collapse_short_edges(is_graded ? fine.ratio : 1.0, best);
   validate(best);
   return best;
 }
