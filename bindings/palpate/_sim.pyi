@@ -1944,10 +1944,40 @@ def find_near_segment(
         out: triangle indices, shape (k,), int32, C order, written to
     """
 
+MOST_CAPSULES: int
+
+class Capsule:
+    """All points within the tool's radius of a segment, which is given in the tool's frame."""
+    def __init__(self, from_: ArrayLike = ..., to: ArrayLike = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    @property
+    def from_(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
+    @from_.setter
+    def from_(self, value: ArrayLike) -> None: ...
+    @property
+    def to(self) -> NDArray[np.float64]:
+        """[m]; shape (3,), a view."""
+    @to.setter
+    def to(self, value: ArrayLike) -> None: ...
+    def __copy__(self) -> Capsule:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Capsule:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class Tool:
-    """The tip of the instrument: a sphere, never a point."""
+    """What of the instrument touches, never a point: a ball, or a rigid list of capsules."""
     def __init__(
-        self, *, radius: float = ..., stiffness: float = ..., friction: float = ...
+        self,
+        *,
+        radius: float = ...,
+        stiffness: float = ...,
+        friction: float = ...,
+        capsules: Sequence[Capsule] = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     radius: float
@@ -1956,11 +1986,16 @@ class Tool:
     """[N/m³] k_A: pressure per depth of the contact law."""
     friction: float
     """[-] Coulomb's coefficient mu between tip and tissue; 0: it slides."""
+    @property
+    def capsules(self) -> list[Capsule]:
+        """A list of at most MOST_CAPSULES, copied; empty: a ball about the position."""
+    @capsules.setter
+    def capsules(self, value: Sequence[Capsule]) -> None: ...
     def __copy__(self) -> Tool:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Tool:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -2006,6 +2041,16 @@ class ToolState:
         """[m]; shape (3,), a view."""
     @position.setter
     def position(self, value: ArrayLike) -> None: ...
+    @property
+    def orientation(self) -> NDArray[np.float64]:
+        """[-] Of the tool's frame: unit quaternion (x, y, z, w), shape (4,); a view."""
+    @property
+    def torque(self) -> NDArray[np.float64]:
+        """[N m] on a tool with capsules about its position, in the last substep. Shape (3,), a
+        view.
+        """
+    @torque.setter
+    def torque(self, value: ArrayLike) -> None: ...
     placed: bool
     """False until the first sample has put it somewhere."""
     @property
@@ -2069,6 +2114,8 @@ class ToolState:
         object,
         object,
         object,
+        object,
+        object,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
@@ -2094,6 +2141,7 @@ class Coupling:
 BARRIER_FLOOR: float
 NO_ARM: float
 FULL_FACING: float
+PARALLEL: float
 
 class Contact:
     """How the tip touches one triangle."""
@@ -2139,6 +2187,27 @@ def find_contact(
     Args:
         rest_area: [m²]
         centre: [m] shape (3,)
+        a: [m] shape (3,), a corner
+        b: [m] shape (3,), a corner
+        c: [m] shape (3,), a corner
+    """
+
+def find_capsule_contact(
+    tool: Tool,
+    rest_area: float,
+    from_: ArrayLike,
+    to: ArrayLike,
+    a: ArrayLike,
+    b: ArrayLike,
+    c: ArrayLike,
+    contact: Contact,
+) -> bool:
+    """The same of a capsule of the tool whose axis goes from from_ to to [m].
+
+    Args:
+        rest_area: [m²]
+        from_: [m] shape (3,)
+        to: [m] shape (3,)
         a: [m] shape (3,), a corner
         b: [m] shape (3,), a corner
         c: [m] shape (3,), a corner
@@ -2922,7 +2991,12 @@ class Scenery:
 class Instrument:
     """A tool, and how the hand that moves it is coupled to it."""
     def __init__(
-        self, *, tool: Tool = ..., coupling: Coupling = ..., hold_stiffness: float = ...
+        self,
+        *,
+        tool: Tool = ...,
+        coupling: Coupling = ...,
+        hold_stiffness: float = ...,
+        trocar: ArrayLike | None = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     tool: Tool
@@ -2931,11 +3005,19 @@ class Instrument:
     """The hand's spring."""
     hold_stiffness: float
     """[N/m] between tool and patch while attached."""
+    @property
+    def trocar(self) -> NDArray[np.float64] | None:
+        """[m] where the shaft, which goes along the tool's z to the hand, passes the abdominal
+        wall: z points there from the tool's position, and only the roll is the device's.
+        None: the device turns the tool. A copy.
+        """
+    @trocar.setter
+    def trocar(self, value: ArrayLike | None) -> None: ...
     def __copy__(self) -> Instrument:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Instrument:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -5318,6 +5400,9 @@ class InstrumentSnapshot:
     @tool_position.setter
     def tool_position(self, value: ArrayLike) -> None: ...
     @property
+    def tool_orientation(self) -> NDArray[np.float64]:
+        """[-] Of the tool's frame: unit quaternion (x, y, z, w), shape (4,); a view."""
+    @property
     def force(self) -> NDArray[np.float64]:
         """[N] on the hand; none while the motors are not on. Shape (3,), a view."""
     @force.setter
@@ -5335,7 +5420,7 @@ class InstrumentSnapshot:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> InstrumentSnapshot:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

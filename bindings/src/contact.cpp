@@ -120,19 +120,39 @@ void bind_tree(py::module_& m) {
 
 void bind_tool(py::module_& m) {
   const Tool usual;
-  py::class_<Tool> tool(m, "Tool", "The tip of the instrument: a sphere, never a point.");
-  tool.def(py::init([](double radius, double stiffness, double friction) {
-             return Tool{radius, stiffness, friction};
+  m.attr("MOST_CAPSULES") = kMostCapsules;
+  py::class_<Capsule> capsule(
+      m, "Capsule",
+      "All points within the tool's radius of a segment, which is given in the tool's frame.");
+  capsule.def(py::init([](const Vec3& from, const Vec3& to) {
+                return Capsule{from, to};
+              }),
+              "from_"_a = Vec3::Zero().eval(), "to"_a = Vec3::Zero().eval());
+  def_vector(capsule, "from_", &Capsule::from, "[m]");
+  def_vector(capsule, "to", &Capsule::to, "[m]");
+  def_value(capsule, &Capsule::from, &Capsule::to);
+  def_repr(capsule, {"from_", "to"});
+
+  py::class_<Tool> tool(m, "Tool",
+                        "What of the instrument touches, never a point: a ball, or a rigid list of "
+                        "capsules.");
+  tool.def(py::init([](double radius, double stiffness, double friction,
+                       const std::vector<Capsule>& capsules) {
+             return Tool{radius, stiffness, friction, capsules};
            }),
            py::kw_only(), "radius"_a = usual.radius, "stiffness"_a = usual.stiffness,
-           "friction"_a = usual.friction);
+           "friction"_a = usual.friction, "capsules"_a = py::list());
   tool.def_readwrite("radius", &Tool::radius, "[m]")
       .def_readwrite("stiffness", &Tool::stiffness,
                      "[N/m³] k_A: pressure per depth of the contact law.")
       .def_readwrite("friction", &Tool::friction,
                      "[-] Coulomb's coefficient mu between tip and tissue; 0: it slides.");
-  def_value(tool, &Tool::radius, &Tool::stiffness, &Tool::friction);
-  def_repr(tool, {"radius", "stiffness", "friction"});
+  tool.def_property(
+      "capsules", [](const Tool& self) { return self.capsules; },
+      [](Tool& self, const std::vector<Capsule>& capsules) { self.capsules = capsules; },
+      "A list of at most MOST_CAPSULES, copied; empty: a ball about the position.");
+  def_value(tool, &Tool::radius, &Tool::stiffness, &Tool::friction, &Tool::capsules);
+  def_repr(tool, {"radius", "stiffness", "friction", "capsules"});
 
   py::class_<ToolState> state(
       m, "ToolState", "Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.");
@@ -156,6 +176,12 @@ void bind_tool(py::module_& m) {
             "capacity"_a = 0, "patch_capacity"_a = 0,
             "Room for so many holds and, with friction, triangles that are touched at once.");
   def_vector(state, "position", &ToolState::position, "[m]");
+  state.def_property_readonly(
+      "orientation",
+      [](const py::object& self) { return view_one(self.cast<ToolState&>().orientation, self); },
+      "[-] Of the tool's frame: unit quaternion (x, y, z, w), shape (4,); a view.");
+  def_vector(state, "torque", &ToolState::torque,
+             "[N m] on a tool with capsules about its position, in the last substep.");
   state.def_readwrite("placed", &ToolState::placed,
                       "False until the first sample has put it somewhere.");
   def_fixed_rows(state, "holds", &ToolState::holds,
@@ -177,10 +203,10 @@ void bind_tool(py::module_& m) {
              "[-] Unit, in which the contacts together push the tool.");
   def_vector(state, "friction", &ToolState::friction, "[N] on the tool in the last substep.");
   state.def_readonly("carrier", &ToolState::carrier, "The surface nearest to the tool.");
-  def_value(state, &ToolState::position, &ToolState::placed, &ToolState::holds,
-            &ToolState::hold_count, &ToolState::carrier, &ToolState::touching, &ToolState::residual,
-            &ToolState::patch, &ToolState::patch_count, &ToolState::patch_position,
-            &ToolState::patch_normal, &ToolState::friction);
+  def_value(state, &ToolState::position, &ToolState::orientation, &ToolState::torque,
+            &ToolState::placed, &ToolState::holds, &ToolState::hold_count, &ToolState::carrier,
+            &ToolState::touching, &ToolState::residual, &ToolState::patch, &ToolState::patch_count,
+            &ToolState::patch_position, &ToolState::patch_normal, &ToolState::friction);
   def_repr(state, {"position", "placed", "touching", "hold_count", "residual"});
 
   const Coupling spring;
@@ -200,6 +226,7 @@ void bind_contact_law(py::module_& m) {
   m.attr("BARRIER_FLOOR") = kBarrierFloor;
   m.attr("NO_ARM") = kNoArm;
   m.attr("FULL_FACING") = kFullFacing;
+  m.attr("PARALLEL") = kParallel;
   py::class_<Contact> contact(m, "Contact", "How the tip touches one triangle.");
   contact.def(py::init<>());
   def_vector(contact, "weights", &Contact::weights, "[-] Barycentric, of the closest point.");
@@ -216,6 +243,9 @@ void bind_contact_law(py::module_& m) {
         "contact"_a,
         "Fills in the contact of a tip at centre with the triangle a, b, c of rest_area [m²]; "
         "False where there is none, or where the centre lies behind the triangle.");
+  m.def("find_capsule_contact", &find_capsule_contact, "tool"_a, "rest_area"_a, "from_"_a, "to"_a,
+        "a"_a, "b"_a, "c"_a, "contact"_a,
+        "The same of a capsule of the tool whose axis goes from from_ to to [m].");
   m.def(
       "compute_point",
       [](const Triangle& t, const Vec3& weights, const Numbers& x) {

@@ -69,6 +69,12 @@ void bind_snapshot(py::module_& m) {
                                             "An instrument and its device as a reader sees them.");
   instrument.def_readonly("sample", &InstrumentSnapshot::sample, "What the device said.");
   def_vector(instrument, "tool_position", &InstrumentSnapshot::tool_position, "[m]");
+  instrument.def_property_readonly(
+      "tool_orientation",
+      [](const py::object& self) {
+        return view_one(self.cast<InstrumentSnapshot&>().tool_orientation, self);
+      },
+      "[-] Of the tool's frame: unit quaternion (x, y, z, w), shape (4,); a view.");
   def_vector(instrument, "force", &InstrumentSnapshot::force,
              "[N] on the hand; none while the motors are not on.");
   instrument.def_readonly("touching", &InstrumentSnapshot::touching, "Any contact in force.")
@@ -76,7 +82,8 @@ void bind_snapshot(py::module_& m) {
       .def_readonly("interventions", &InstrumentSnapshot::interventions,
                     "Of the device's passivity controller, so far.");
   def_value(instrument, &InstrumentSnapshot::sample, &InstrumentSnapshot::tool_position,
-            &InstrumentSnapshot::force, &InstrumentSnapshot::touching, &InstrumentSnapshot::motors,
+            &InstrumentSnapshot::tool_orientation, &InstrumentSnapshot::force,
+            &InstrumentSnapshot::touching, &InstrumentSnapshot::motors,
             &InstrumentSnapshot::interventions);
   def_repr(instrument, {"touching", "force", "tool_position", "motors", "interventions"});
 

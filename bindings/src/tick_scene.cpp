@@ -192,17 +192,25 @@ void bind_instrument(py::module_& m) {
   const Instrument usual;
   py::class_<Instrument> instrument(m, "Instrument",
                                     "A tool, and how the hand that moves it is coupled to it.");
-  instrument.def(py::init([](const Tool& tool, const Coupling& coupling, double hold_stiffness) {
-                   return Instrument{tool, coupling, hold_stiffness};
+  instrument.def(py::init([](const Tool& tool, const Coupling& coupling, double hold_stiffness,
+                             const std::optional<Vec3>& trocar) {
+                   return Instrument{tool, coupling, hold_stiffness, trocar};
                  }),
                  py::kw_only(), "tool"_a = usual.tool, "coupling"_a = usual.coupling,
-                 "hold_stiffness"_a = usual.hold_stiffness);
+                 "hold_stiffness"_a = usual.hold_stiffness, "trocar"_a = py::none());
   instrument.def_readwrite("tool", &Instrument::tool, "The tip.")
       .def_readwrite("coupling", &Instrument::coupling, "The hand's spring.")
       .def_readwrite("hold_stiffness", &Instrument::hold_stiffness,
-                     "[N/m] between tool and patch while attached.");
-  def_value(instrument, &Instrument::tool, &Instrument::coupling, &Instrument::hold_stiffness);
-  def_repr(instrument, {"tool", "coupling", "hold_stiffness"});
+                     "[N/m] between tool and patch while attached.")
+      .def_property(
+          "trocar", [](const Instrument& self) { return self.trocar; },
+          [](Instrument& self, const std::optional<Vec3>& trocar) { self.trocar = trocar; },
+          "[m] where the shaft, which goes along the tool's z to the hand, passes the abdominal "
+          "wall: z points there from the tool's position, and only the roll is the device's. None: "
+          "the device turns the tool. A copy.");
+  def_value(instrument, &Instrument::tool, &Instrument::coupling, &Instrument::hold_stiffness,
+            &Instrument::trocar);
+  def_repr(instrument, {"tool", "coupling", "hold_stiffness", "trocar"});
 }
 
 /// What it is made of, and whether build_scene has filled in what follows from that.

@@ -2,12 +2,14 @@
 #include "palpate/scenario/assessment.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "palpate/scenario/assessment_parts.h"
 #include "palpate/scenario/inclusion.h"
 #include "palpate/scenario/manifest.h"
+#include "palpate/sim/base/private/refuse.h"
 
 namespace palpate::scenario {
 namespace {
@@ -73,6 +75,32 @@ std::string choose_level(const std::string& asked, const std::vector<std::string
                               (known.empty() ? "none: there are no levels" : "one of " + known));
 }
 
+/// [m] Of the one capsule of a tool; 0 of a ball.
+double measure_length(const Tool& tool) {
+  double length = 0.0;
+  for (const Capsule& capsule : tool.capsules) length += (capsule.to - capsule.from).norm();
+  return length;
+}
+
+/// What an assessment says of a tool is that of the scene, which `palpate scenario publish` sees
+/// to.
+void check_tool(Fields& members, const Tool& tool) {
+  constexpr double kRounding = 1e-9, kHighest = 0.3;
+  const auto check = [&](const char* name, double scenes) {
+    if (!members.has(name)) return;
+    const double said = members.number(name);
+    if (std::abs(said - scenes) <= kRounding) return;
+    members.refuse(name, write_text(said), write_text(scenes, ", that of the instrument"));
+  };
+  check("radius_m", tool.radius);
+  check("length_m", measure_length(tool));
+  check("friction", tool.friction);
+  const double height = members.number_or("trocar_height_m", 0.0);
+  if (height < 0.0 || height > kHighest) {
+    members.refuse("trocar_height_m", write_text(height), "0 to 0.3");
+  }
+}
+
 /// Which organ is which body, and which tool which instrument; without a number they are the only
 /// one.
 void read_bodies_and_instruments(Fields& fields, const Scene& scene, const std::string& file,
@@ -92,6 +120,7 @@ void read_bodies_and_instruments(Fields& fields, const Scene& scene, const std::
        [&](const std::string& id, int row, Fields& members) {
          names.instruments.emplace(id, row);
          if (members.choice("kind", {"probe", "grasper"}) == 1) names.graspers.insert(id);
+         check_tool(members, scene.instruments[static_cast<std::size_t>(row)].tool);
        });
   if (names.bodies.empty()) fields.refuse("organs", "none", "at least one");
   if (names.instruments.empty()) fields.refuse("tools", "none", "at least one");

@@ -53,20 +53,28 @@ Json print_body(const SoftBody& body) {
   return printed;
 }
 
+Json print_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
 Json print_instrument(const Instrument& instrument) {
-  const auto& [radius, tool_stiffness, friction] = instrument.tool;
+  const auto& [radius, tool_stiffness, friction, capsules] = instrument.tool;
   const auto& [coupling_stiffness, force_max] = instrument.coupling;
   Json tool = {{"radius", radius}, {"stiffness", tool_stiffness}};
   if (friction > 0.0) tool["friction"] = friction;
-  return {{"tool", std::move(tool)},
-          {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
-          {"hold_stiffness", instrument.hold_stiffness}};
+  for (const Capsule& capsule : capsules) {
+    tool["capsules"].push_back(
+        {{"from", print_vector(capsule.from)}, {"to", print_vector(capsule.to)}});
+  }
+  Json printed = {{"tool", std::move(tool)},
+                  {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
+                  {"hold_stiffness", instrument.hold_stiffness}};
+  if (instrument.trocar) printed["trocar"] = print_vector(*instrument.trocar);
+  return printed;
 }
 
 Json print_scene(const Scene& scene) {
   Json printed = {{"bodies", Json::array()},
                   {"instruments", Json::array()},
-                  {"gravity", {scene.gravity.x(), scene.gravity.y(), scene.gravity.z()}},
+                  {"gravity", print_vector(scene.gravity)},
                   {"rate", scene.rate}};
   // only where there is one: a file without is what it was before there were any
   if (scene.exchange_rate > 0.0) printed["exchange_rate"] = scene.exchange_rate;
@@ -141,18 +149,31 @@ SoftBody parse_body(Fields fields) {
   return body;
 }
 
+/// None of a ball.
+std::vector<Capsule> parse_capsules(Fields& tool) {
+  std::vector<Capsule> capsules;
+  if (!tool.has("capsules")) return capsules;
+  for (Fields& capsule : tool.objects("capsules", kMostCapsules)) {
+    capsules.push_back({parse_vector(capsule, "from"), parse_vector(capsule, "to")});
+    capsule.finish();
+  }
+  return capsules;
+}
+
 Instrument parse_instrument(Fields fields) {
   Instrument instrument;
   Fields tool = fields.object("tool");
   instrument.tool = {.radius = tool.number("radius"),
                      .stiffness = tool.number("stiffness"),
-                     .friction = tool.number_or("friction", 0.0)};
+                     .friction = tool.number_or("friction", 0.0),
+                     .capsules = parse_capsules(tool)};
   tool.finish();
   Fields coupling = fields.object("coupling");
   instrument.coupling = {.stiffness = coupling.number("stiffness"),
                          .force_max = coupling.number("force_max")};
   coupling.finish();
   instrument.hold_stiffness = fields.number("hold_stiffness");
+  if (fields.has("trocar")) instrument.trocar = parse_vector(fields, "trocar");
   fields.finish();
   return instrument;
 }

@@ -42,9 +42,11 @@ std::vector<Range> build_ranges() {
   ranges.push_back({"scene.instruments[i].tool.radius", "m", 1e-5, 0.2});
   ranges.push_back({"scene.instruments[i].tool.stiffness", "N/m³", 1e3, 1e12});
   ranges.push_back({"scene.instruments[i].tool.friction", "-", 0.0, 2.0});
+  ranges.push_back({"scene.instruments[i].tool.capsules", "m", -0.5, 0.5});
   ranges.push_back({"scene.instruments[i].coupling.stiffness", "N/m", 0.1, 1e6});
   ranges.push_back({"scene.instruments[i].coupling.force_max", "N", 1e-3, 1e3});
   ranges.push_back({"scene.instruments[i].hold_stiffness", "N/m", 1e-3, 1e6});
+  ranges.push_back({"scene.instruments[i].trocar", "m", -10.0, 10.0});
   ranges.push_back({"scene.gravity", "m/s²", -1e3, 1e3});
   ranges.push_back({"scene.rate", "Hz", 1.0, 2e4});
   ranges.push_back({"scene.exchange_rate", "Hz", 10.0, 2e4});
@@ -110,9 +112,16 @@ void check_instrument(const Instrument& instrument, std::size_t i) {
   check_number("scene.instruments[i].tool.radius", instrument.tool.radius, i);
   check_number("scene.instruments[i].tool.stiffness", instrument.tool.stiffness, i);
   check_number("scene.instruments[i].tool.friction", instrument.tool.friction, i);
+  for (const Capsule& capsule : instrument.tool.capsules) {
+    for (const Vec3& end : {capsule.from, capsule.to}) {
+      for (const double at : end) check_number("scene.instruments[i].tool.capsules", at, i);
+    }
+  }
   check_number("scene.instruments[i].coupling.stiffness", instrument.coupling.stiffness, i);
   check_number("scene.instruments[i].coupling.force_max", instrument.coupling.force_max, i);
   check_number("scene.instruments[i].hold_stiffness", instrument.hold_stiffness, i);
+  if (!instrument.trocar) return;
+  for (const double at : *instrument.trocar) check_number("scene.instruments[i].trocar", at, i);
 }
 
 void check_body(const SoftBody& body, std::size_t b) {

@@ -93,12 +93,14 @@ SINCE = (
     ("tool", "friction", 0.0),
     ("model", "contact_curvature", "vertices"),
     ("model", "contact_hold", "fastened"),
+    ("tool", "length", 0.0),
+    ("tool", "trocar_height", 0.15),
 )
-"""Part, field and value as before of what came to documents with versions 11 to 14."""
+"""Part, field and value as before of what came to documents with versions 11 to 15."""
 
 
 def keep_known(content: dict[str, Any]) -> None:
-    """Takes away what documents of before versions 9 and 11 to 14 do not say, so that their charts
+    """Takes away what documents of before versions 9 and 11 to 15 do not say, so that their charts
     are known."""
     for part, name, usual in SINCE:
         if content.get(part, {}).get(name) == usual:

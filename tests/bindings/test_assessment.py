@@ -25,6 +25,7 @@ SCENARIOS = MESHES / "scenarios"
 ORGANS = {
     "simple_tissue": "simple_tissue",
     "spleen_push_and_pull": "spleen",
+    "spleen_probe": "spleen",
     "kidney_trace": "kidney",
     "gallbladder_retract": "gallbladder",
     "liver_hidden_lump": "liver",

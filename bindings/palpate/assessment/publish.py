@@ -5,19 +5,25 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from copy import copy
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+import palpate
 from palpate import scenario
 from palpate.assessment.author import without_muted
 from palpate.assessment.inclusion import gather_constants
 from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
+from palpate.scene.scene_file import build_tool, find_trocar
+from palpate.scene.scene_parts import ToolPart
 
 MOST_BYTES = 4 * 2**20
+SHAPES = {"radius_m", "length_m", "friction", "trocar_height_m"}
+"""What an assessment may say of a tool's shape."""
 
 Json = dict[str, Any]
 
@@ -87,7 +93,7 @@ def with_assessment(
         if isinstance(words, dict) and isinstance(key, str) and isinstance(words.get(key), str):
             titles[code] = words[key]
     made = scenario.Scenario(
-        scene=published.scene,
+        scene=shape_tools(file, assessment, published.scene),
         title=titles.get("en", published.title),
         task=published.task,
         authored=published.authored,
@@ -130,6 +136,45 @@ def take_attempt(
         assessment=published.assessment,
         assessment_arrays=published.assessment_arrays,
     )
+
+
+def shape_tools(file: object, assessment: Mapping[str, Any], scene: palpate.Scene) -> palpate.Scene:
+    """The scene with the tools that the assessment describes; itself where it describes none.
+
+    Raises Refusal for a tool that cannot touch what there is.
+    """
+    tools = assessment.get("tools")
+    for name, said in tools.items() if isinstance(tools, dict) else ():
+        if not isinstance(said, dict) or not SHAPES & set(said):
+            continue
+        row = said.get("instrument", 0)
+        if not isinstance(row, int) or not 0 <= row < len(scene.instruments):
+            continue  # what is wrong with it says the reader
+        try:
+            scene = shape_tool(said, row, scene)
+        except (TypeError, ValueError) as problem:
+            raise Refusal(
+                file, f"tools.{name}", str(problem), "a tool that can touch this organ"
+            ) from None
+    return scene
+
+
+def shape_tool(said: Mapping[str, Any], row: int, scene: palpate.Scene) -> palpate.Scene:
+    """The scene with one tool as an assessment describes it. Raises ValueError or TypeError."""
+    before = scene.instruments[row].tool
+    length = before.capsules[0].to[2] if before.capsules else 0.0
+    part = ToolPart(
+        radius=float(said.get("radius_m", before.radius)),
+        stiffness=before.stiffness,
+        friction=float(said.get("friction", before.friction)),
+        length=float(said.get("length_m", length)),
+        trocar_height=float(said.get("trocar_height_m", ToolPart.trocar_height)),
+    )
+    changed = copy(scene)
+    changed.instruments[row].tool = build_tool(part)
+    changed.instruments[row].trocar = find_trocar(part, scene.bodies[0].tissue)
+    scenario.check_ranges(changed)
+    return palpate.build_scene(changed)
 
 
 def refuse(file: object, sentence: str) -> Refusal:

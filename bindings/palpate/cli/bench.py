@@ -16,6 +16,7 @@ from palpate.bench.meshes import (
     read_shipped,
     read_surface,
 )
+from palpate.bench.part_costs import describe_part_costs, measure_part_costs
 from palpate.bench.rows import Options, bench_meshes, describe_rows, list_works
 from palpate.command.output import add_output
 from palpate.command.terminal import make_harmless
@@ -31,7 +32,10 @@ def add_bench(parser: argparse.ArgumentParser) -> None:
         "--organ", action="append", metavar="NAME", help="a shipped organ; may be repeated"
     )
     parser.add_argument(
-        "--scene", type=Path, action="append", help="published file (.palpate); may be repeated"
+        "--scene",
+        type=Path,
+        action="append",
+        help="published file (.palpate), and what each of its parts costs; may be repeated",
     )
     parser.add_argument(
         "--mesh", type=Path, action="append", help="OBJ of `palpate import`; may be repeated"
@@ -70,7 +74,8 @@ def run_bench(call: argparse.Namespace) -> Report:
     meshes, options = choose_meshes(call, bool(named)), choose_options(call)
     # bodies are shipped organs, with constants of their own
     bodies = list_bodies(call.organ or ()) if call.organ or not named else []
-    return bench_meshes(meshes, options, say, bodies)
+    report = bench_meshes(meshes, options, say, bodies)
+    return {**report, "scenes": [measure_part_costs(path) for path in call.scene or ()]}
 
 
 def choose_meshes(call: argparse.Namespace, named: bool) -> list[BenchMesh]:
@@ -121,7 +126,10 @@ def describe_bench(report: Report) -> str:
         from palpate.bench.chart import describe_scaling
 
         return describe_scaling(report)
-    return describe_rows(report)
+    lines = [describe_rows(report)]
+    for measured in report["scenes"]:
+        lines += ["", *describe_part_costs(measured)]
+    return "\n".join(lines)
 
 
 BENCH = Verb(

@@ -184,7 +184,8 @@ class TraineeWindow(QWidget):
     def _show(self, frame: Frame) -> None:
         self._time = frame.time
         self.view.move_surface(join_positions(frame.positions))
-        self.view.show_tool(frame.tool_position, self.scene.instruments[0].tool.radius)
+        tool, seen = self.scene.instruments[0].tool, frame.instruments[0]
+        self.view.show_instrument(tool, frame.tool_position, seen.tool_orientation)
         self.view.force_scale = ARROW * self.view.scenery.radius / self.over.force.range
         self.view.show_force(frame.tool_position, frame.force)
         self._force = float(np.linalg.norm(frame.force))

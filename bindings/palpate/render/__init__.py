@@ -6,6 +6,7 @@ from palpate.render.colour_map import Legend, build_legend
 from palpate.render.context import describe_gl, open_context
 from palpate.render.error import RenderError
 from palpate.render.force_plot import draw_force_plot, save_force_plot
+from palpate.render.instrument import build_instrument, place_instrument
 from palpate.render.part import Appearance, Part, Pattern, build_appearance
 from palpate.render.picture import Picture, draw_picture, save_picture, write_png
 from palpate.render.renderer import Renderer, Tile
@@ -26,11 +27,13 @@ __all__ = [
     "build_capsule",
     "build_legend",
     "build_appearance",
+    "build_instrument",
     "build_sphere",
     "describe_gl",
     "draw_force_plot",
     "draw_picture",
     "open_context",
+    "place_instrument",
     "save_force_plot",
     "save_picture",
     "write_png",

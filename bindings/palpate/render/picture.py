@@ -61,6 +61,8 @@ class Picture:
     """(n,) 0 to 1, what is highlighted."""
     tool: tuple[ArrayLike, float] | None = None
     """Centre [m] and radius [m] of the tip."""
+    instrument: Shape | None = None
+    """[m] What is drawn in the place of the tip's ball: an instrument where it is."""
     force: ArrayLike | None = None
     """[N] (3,) what the hand feels: an arrow from the middle of the tool, which it needs."""
     force_scale: float | None = None
@@ -194,17 +196,17 @@ def build_tool(picture: Picture, arrow: Arrow | None) -> list[Thing]:
     """The tip and its force, where there are any."""
     things = []
     if picture.tool is not None:
-        ball = build_sphere(*picture.tool)
+        shape = picture.instrument or build_sphere(*picture.tool)
         things.append(
-            as_thing(ball, Appearance(STEEL, gloss=1.0, subsurface=0.0, seen_through=True))
+            as_thing(shape, Appearance(STEEL, gloss=1.0, subsurface=0.0, seen_through=True))
         )
     if arrow is not None:
-        shape = build_arrow(arrow.start, arrow.end, arrow.radius)
+        sign = build_arrow(arrow.start, arrow.end, arrow.radius)
         # a sign, not a thing: it leaves no shadow
         appearance = Appearance(
             FORCE, gloss=0.3, subsurface=0.0, seen_through=True, casts_shadow=False
         )
-        things.append(as_thing(shape, appearance))
+        things.append(as_thing(sign, appearance))
     return things
 
 

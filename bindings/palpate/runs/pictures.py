@@ -49,7 +49,7 @@ def picture_of_record(
     """Draws the organs of a record at a time [s], or where a force was greatest, with the
     instrument that felt most then; returns when.
     """
-    from palpate.render import save_picture
+    from palpate.render import build_instrument, place_instrument, save_picture
 
     record, where, scene = open_record(record_path, scene_path)
     times = read_column(record, "hand", "time").astype(float)
@@ -62,14 +62,18 @@ def picture_of_record(
     felt = int(sizes[:, tick].argmax())
     world = pose_at(scene, record, tick)
     x = join_positions([np.asarray(palpate.surface_position(body)) for body in world.bodies])
-    tip = np.asarray(world.instruments[felt].tool.position), scene.instruments[felt].tool.radius
+    its, state = scene.instruments[felt].tool, world.instruments[felt].tool
+    shape = build_instrument(its)
+    if shape is not None:
+        shape = place_instrument(shape, state.position, state.orientation)
     save_picture(
         out,
         x,
         join_triangles(scene),
         values=1e3 * np.linalg.norm(x - join_rest_surfaces(scene), axis=1),
         legend="displacement [mm]",
-        tool=tip,
+        tool=(np.asarray(state.position), its.radius),
+        instrument=shape,
         force=forces[felt, tick],
         title=title or name_scene(where),
         **options,

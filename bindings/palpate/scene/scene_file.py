@@ -35,6 +35,7 @@ from palpate.scene.scene_parts import (
     MaterialPart,
     ModelPart,
     SceneFile,
+    ToolPart,
 )
 from palpate.scene.tick_cost import LONGEST_TICK, count_affordable
 
@@ -194,11 +195,8 @@ def compile_scene(
         tied_holds=ties_holds(scene),
     )
     instrument = palpate.Instrument(
-        tool=palpate.Tool(
-            radius=scene.tool.radius,
-            stiffness=scene.tool.stiffness,
-            friction=scene.tool.friction,
-        ),
+        tool=build_tool(scene.tool),
+        trocar=find_trocar(scene.tool, tissue),
         coupling=palpate.Coupling(stiffness=hand.coupling, force_max=hand.force_max),
         hold_stiffness=hand.hold_stiffness,
     )
@@ -213,6 +211,23 @@ def compile_scene(
     built = palpate.build_scene(compiled)
     raise_substeps(built.bodies[0], hand.substeps)
     return built
+
+
+def build_tool(part: ToolPart) -> palpate.Tool:
+    """A ball, or one capsule from the tip along the shaft."""
+    tool = palpate.Tool(radius=part.radius, stiffness=part.stiffness, friction=part.friction)
+    if part.length > 0.0:
+        tool.capsules = [palpate.Capsule(to=[0.0, 0.0, part.length])]
+    return tool
+
+
+def find_trocar(part: ToolPart, tissue: palpate.TissueModel) -> np.ndarray | None:
+    """[m] Above the middle of the organ; None for a ball, and for a tool that the device turns."""
+    if not (part.length > 0.0 and part.trocar_height > 0.0):
+        return None
+    low, high = tissue.rest_position.min(axis=0), tissue.rest_position.max(axis=0)
+    middle = 0.5 * (low + high)
+    return np.array([middle[0], middle[1], high[2] + part.trocar_height])
 
 
 def find_contact_modulus(scene: SceneFile) -> float:

@@ -155,6 +155,11 @@ class ToolPart:
     friction: float = field(default=0.0, metadata={"since": 12})
     """[-] Coulomb's coefficient between tip and tissue: 0.05 to 0.15 of smooth metal on wet serosa,
     0.3 to 0.8 of a profiled jaw; 0: it slides."""
+    length: float = field(default=0.0, metadata={"since": 15})
+    """[m] of the shaft, from the tip's middle to the hand, that touches: a capsule; 0: a ball."""
+    trocar_height: float = field(default=0.15, metadata={"since": 15})
+    """[m] over the highest point of the organ, above its middle: where the shaft passes the
+    abdominal wall; 0: nowhere, the device turns the instrument."""
 
 
 @dataclass(frozen=True)

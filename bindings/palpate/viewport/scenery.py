@@ -4,13 +4,23 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import moderngl
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import palpate
-from palpate.render import Appearance, Legend, Renderer, Shape, build_arrow, build_sphere
+from palpate.render import (
+    Appearance,
+    Legend,
+    Renderer,
+    Shape,
+    build_arrow,
+    build_instrument,
+    build_sphere,
+    place_instrument,
+)
 from palpate.render.theme import DARK, THEMES
 from palpate.viewport.appearance import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.dents import Dents
@@ -54,6 +64,8 @@ class Scenery:
         """[m] the ball around the surface as it was shown first."""
         self._things: dict[str, Thing] = {}
         self._arrow: tuple[float, ...] = ()
+        self._look: tuple[Any, ...] = ()
+        self._instrument: Shape | None = None
         self._gone: list[Thing] = []
         self._renderer: Renderer | None = None
         self._sky: SkyLight | None = None
@@ -150,10 +162,25 @@ class Scenery:
         self._draw_dent(centre, radius)
         if centre is None:
             self._hide("tool")
+            self._hide("instrument")
             return
         thing = self._use("tool", len(BALL.vertices), BALL.triangles, TOOL)
         thing.write("normal", BALL.normals)
         thing.place(BALL.vertices, radius, centre)
+
+    def show_instrument(
+        self, tool: palpate.Tool, position: ArrayLike, orientation: ArrayLike
+    ) -> None:
+        """An instrument of capsules with its shaft, turned by (x, y, z, w); a ball as a ball."""
+        look = (tool.radius, *(tuple((*part.from_, *part.to)) for part in tool.capsules))
+        if look != self._look:
+            self._look, self._instrument = look, build_instrument(tool)
+            self._drop("instrument")
+        if self._instrument is None:
+            self.show_tool(position, tool.radius)
+            return
+        self.show_tool(None, tool.radius)
+        self.show_part("instrument", place_instrument(self._instrument, position, orientation))
 
     def show_force(
         self, tail: ArrayLike | None, point: ArrayLike | None = None, radius: float = 0.0

@@ -113,6 +113,13 @@ class ViewBase(ViewEvents):
         self.scenery.show_tool(centre, radius)
         self.update()
 
+    def show_instrument(
+        self, tool: palpate.Tool, position: ArrayLike, orientation: ArrayLike
+    ) -> None:
+        """The instrument as it is held: position [m], turned by (x, y, z, w)."""
+        self.scenery.show_instrument(tool, position, orientation)
+        self.update()
+
     def show_force(self, start: ArrayLike | None, vector: ArrayLike | None = None) -> None:
         """An arrow from `start` [m] for a force [N], kept in sight; None takes it away."""
         self._force = None

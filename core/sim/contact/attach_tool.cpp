@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 
@@ -170,14 +171,15 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                              sliding * slope, mass, scratch));
   }
   Contact contact;
+  const Shape shape{tool, Axes(tool, state.orientation)};
   for (std::size_t i = 0; !is_found && i < touchable.size(); ++i) {
     const Triangle& t = triangle(touchable[i]);
     const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
-    if (!find_contact(tool, candidates.areas[i], at, a, b, c, contact)) continue;
+    if (!find_shape_contact(shape, candidates.areas[i], at, a, b, c, contact)) continue;
     if (near) {
       const NearGain gain{candidates.near.gain, candidates.near.stiffening};
       const Contact closest = contact;
-      find_near_contact(*near, tool, closest, at, a, b, c, gain, contact);
+      find_near_contact(*near, shape, closest, at, a, b, c, gain, contact);
       contact.stiffness = bound_slope(tool, closest, contact);
     }
     largest = std::max(

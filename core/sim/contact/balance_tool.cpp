@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/friction.h"
 #include "palpate/sim/contact/private/list_contacts.h"
 #include "palpate/sim/contact/private/near_contact.h"
@@ -37,7 +38,7 @@ struct Touch {
 
 /// All that balance_tool only reads.
 struct Surroundings {
-  const Tool& tool;
+  Shape shape;
   std::span<const TouchedSurface> surfaces;
   std::span<const ToolState::Hold> holds;
 };
@@ -61,6 +62,15 @@ Vec3 limit(const Vec3& v, double most) noexcept {
   return length > most ? Vec3(v * (most / length)) : v;
 }
 
+void fill_axis(const Capsule& axis, std::size_t number, std::size_t lane,
+               ContactLanes& lanes) noexcept {
+  lanes.capsule[lane] = static_cast<int>(number);
+  for (std::size_t k = 0; k < 3; ++k) {
+    lanes.axis[k][lane] = axis.from[static_cast<Eigen::Index>(k)];
+    lanes.axis[3 + k][lane] = axis.to[static_cast<Eigen::Index>(k)];
+  }
+}
+
 void fill_lane(const TouchedSurface& surface, std::size_t candidate, std::size_t lane) noexcept {
   const int t = surface.candidates->triangles[candidate];
   ContactLanes& lanes = surface.candidates->lanes;
@@ -74,8 +84,16 @@ void fill_lane(const TouchedSurface& surface, std::size_t candidate, std::size_t
   }
 }
 
-/// Takes the candidates into lanes that have part in boxes within `reach` [m] of p.
-void fill_lanes(const TouchedSurface& surface, const Vec3& p, double reach) noexcept {
+/// [m] No axis at p is nearer to the box.
+double bound_distance(const Capsule& axis, const Vec3& p, const Box& box) noexcept {
+  const Vec3 low = p + axis.from.cwiseMin(axis.to), high = p + axis.from.cwiseMax(axis.to);
+  return (box.low - high).cwiseMax(low - box.high).maxCoeff();
+}
+
+/// Takes the candidates into lanes that have part in boxes within `reach` [m] of p, or of an axis
+/// at p, with a lane for each axis.
+void fill_lanes(const TouchedSurface& surface, const Axes& axes, const Vec3& p,
+                double reach) noexcept {
   const Candidates& candidates = *surface.candidates;
   ContactLanes& lanes = surface.candidates->lanes;
   std::size_t count = 0;
@@ -83,7 +101,12 @@ void fill_lanes(const TouchedSurface& surface, const Vec3& p, double reach) noex
     const int t = candidates.triangles[i];
     const Box box = bound_triangle(get_corner(surface, t, 0), get_corner(surface, t, 1),
                                    get_corner(surface, t, 2));
-    if (compute_squared_distance(p, box.low, box.high) < reach * reach) {
+    if (axes.count == 0 && compute_squared_distance(p, box.low, box.high) < reach * reach) {
+      fill_lane(surface, i, count++);
+    }
+    for (std::size_t k = 0; k < axes.list().size(); ++k) {
+      if (!(bound_distance(axes.list()[k], p, box) < reach)) continue;
+      fill_axis(axes.list()[k], k, count, lanes);
       fill_lane(surface, i, count++);
     }
   }
@@ -92,6 +115,8 @@ void fill_lanes(const TouchedSurface& surface, const Vec3& p, double reach) noex
   for (std::size_t lane = count; lane % static_cast<std::size_t>(lanes.width) != 0; ++lane) {
     for (auto& column : lanes.corners) column[lane] = column[count - 1];
     lanes.rest_area[lane] = lanes.rest_area[count - 1];
+    if (axes.count == 0) continue;
+    for (auto& column : lanes.axis) column[lane] = column[count - 1];
   }
   lanes.filled_at = p;
   lanes.reach = reach;
@@ -100,14 +125,29 @@ void fill_lanes(const TouchedSurface& surface, const Vec3& p, double reach) noex
 
 /// Contacts at p of all lanes; once for each p. The tool's steps within a substep are far shorter
 /// than its radius, so that the lanes filled at its beginning mostly do for all.
-void find_in_lanes(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
+void find_in_lanes(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
   ContactLanes& lanes = surface.candidates->lanes;
-  const double radius = tool.radius;
-  if (!((p - lanes.filled_at).norm() + radius <= lanes.reach)) fill_lanes(surface, p, 1.5 * radius);
+  const double radius = shape.tool.radius;
+  if (!((p - lanes.filled_at).norm() + radius <= lanes.reach)) {
+    fill_lanes(surface, shape.axes, p, 1.5 * radius);
+  }
   if (lanes.found && lanes.centre == p) return;
   lanes.centre = p;
-  lanes.find(lanes, radius, tool.stiffness);
+  const auto find = shape.axes.count == 0 ? lanes.find : lanes.find_capsules;
+  find(lanes, radius, shape.tool.stiffness);
   lanes.found = true;
+}
+
+/// The lane of the axis that is nearest to the triangle of this one, which is the first of its
+/// lanes; `next` becomes the first of the next triangle.
+std::size_t find_nearest_lane(const ContactLanes& lanes, std::size_t lane,
+                              std::size_t& next) noexcept {
+  std::size_t nearest = lane;
+  const auto count = static_cast<std::size_t>(lanes.count);
+  for (next = lane + 1; next < count && lanes.triangle[next] == lanes.triangle[lane]; ++next) {
+    if (lanes.distance[next] < lanes.distance[nearest]) nearest = next;
+  }
+  return nearest;
 }
 
 Contact read_lane(const ContactLanes& lanes, std::size_t lane) noexcept {
@@ -126,12 +166,21 @@ Vec3 lift(const TouchedSurface& surface, const Vec3& p) noexcept {
 /// Calls `take(triangle, contact)` for every triangle that the hard law touches with the centre at
 /// p, which is lifted.
 template <class Take>
-void for_each_closest(const Tool& tool, const TouchedSurface& surface, const Vec3& p,
+void for_each_closest(const Shape& shape, const TouchedSurface& surface, const Vec3& p,
                       Take take) noexcept {
   const Candidates& candidates = *surface.candidates;
   const ContactLanes& lanes = candidates.lanes;
+  if (lanes.find != nullptr && shape.axes.count > 0) {
+    find_in_lanes(shape, surface, p);
+    for (std::size_t lane = 0, next = 0; lane < static_cast<std::size_t>(lanes.count);
+         lane = next) {
+      const std::size_t nearest = find_nearest_lane(lanes, lane, next);
+      if (lanes.force[nearest] > 0.0) take(lanes.triangle[nearest], read_lane(lanes, nearest));
+    }
+    return;
+  }
   if (lanes.find != nullptr) {
-    find_in_lanes(tool, surface, p);
+    find_in_lanes(shape, surface, p);
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes.count); ++lane) {
       if (lanes.force[lane] > 0.0) take(lanes.triangle[lane], read_lane(lanes, lane));
     }
@@ -140,33 +189,33 @@ void for_each_closest(const Tool& tool, const TouchedSurface& surface, const Vec
   Contact contact;
   for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
     const int t = candidates.triangles[i];
-    if (find_contact(tool, candidates.areas[i], p, get_corner(surface, t, 0),
-                     get_corner(surface, t, 1), get_corner(surface, t, 2), contact)) {
+    if (find_shape_contact(shape, candidates.areas[i], p, get_corner(surface, t, 0),
+                           get_corner(surface, t, 1), get_corner(surface, t, 2), contact)) {
       take(t, contact);
     }
   }
 }
 
 /// Contacts at p, lifted, under the law of the surface's near field; once for each p.
-void find_near(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
+void find_near(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
   NearContacts& near = surface.candidates->near;
   if (near.found && near.centre == p) return;
   near.count = 0;
-  for_each_closest(tool, surface, p, [&](int t, const Contact& contact) noexcept {
+  for_each_closest(shape, surface, p, [&](int t, const Contact& contact) noexcept {
     const auto at = static_cast<std::size_t>(near.count++);
     near.triangle[at] = t;
     near.closest[at] = contact;
   });
-  find_near_contacts(tool, surface, p);
+  find_near_contacts(shape, surface, p);
 }
 
 /// Calls `take(triangle, contact)` for every contact with the centre at p; under a near field some
 /// may be without force.
 template <class Take>
-void for_each_contact(const Tool& tool, const TouchedSurface& surface, const Vec3& p,
+void for_each_contact(const Shape& shape, const TouchedSurface& surface, const Vec3& p,
                       Take take) noexcept {
-  if (!surface.near) return for_each_closest(tool, surface, p, take);
-  find_near(tool, surface, lift(surface, p));
+  if (!surface.near) return for_each_closest(shape, surface, p, take);
+  find_near(shape, surface, lift(surface, p));
   const NearContacts& near = surface.candidates->near;
   for (std::size_t i = 0; i < static_cast<std::size_t>(near.count); ++i) {
     take(near.triangle[i], near.contact[i]);
@@ -178,7 +227,7 @@ template <class Take>
 void for_each_closest(const Surroundings& around, const Vec3& p, Take take) noexcept {
   for (std::size_t b = 0; b < around.surfaces.size(); ++b) {
     for_each_closest(
-        around.tool, around.surfaces[b], lift(around.surfaces[b], p),
+        around.shape, around.surfaces[b], lift(around.surfaces[b], p),
         [&](int t, const Contact& contact) noexcept { take(static_cast<int>(b), t, contact); });
   }
 }
@@ -187,7 +236,7 @@ template <class Take>
 void for_each_contact(const Surroundings& around, const Vec3& p, Take take) noexcept {
   for (std::size_t b = 0; b < around.surfaces.size(); ++b) {
     for_each_contact(
-        around.tool, around.surfaces[b], p,
+        around.shape, around.surfaces[b], p,
         [&](int t, const Contact& contact) noexcept { take(static_cast<int>(b), t, contact); });
   }
 }
@@ -200,7 +249,7 @@ Vec3 compute_pull(const Surroundings& around, const ToolState::Hold& hold, const
 
 Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
   Touch touch;
-  touch.smallest_distance = around.tool.radius;
+  touch.smallest_distance = around.shape.tool.radius;
   for_each_contact(around, p, [&](int, int, const Contact& contact) noexcept {
     const Vec3& n = contact.direction;
     touch.force += contact.force * n;
@@ -224,12 +273,13 @@ Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
 /// its closest point, all that is not in contact at least a radius away: a step of half a radius
 /// that goes at most half the way to any of those planes cannot end behind the surface.
 Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3 step) noexcept {
-  if (step.norm() <= 0.5 * (touch.smallest_distance - kClearance * around.tool.radius)) return step;
-  step = limit(step, 0.5 * around.tool.radius);
+  if (step.norm() <= 0.5 * (touch.smallest_distance - kClearance * around.shape.tool.radius))
+    return step;
+  step = limit(step, 0.5 * around.shape.tool.radius);
   double part = 1.0;
   for_each_closest(around, p, [&](int, int, const Contact& contact) noexcept {
     const double approach = -step.dot(contact.direction);
-    const double room = 0.5 * (contact.distance - kClearance * around.tool.radius);
+    const double room = 0.5 * (contact.distance - kClearance * around.shape.tool.radius);
     if (approach > 0.0) part = std::min(part, std::max(0.0, room) / approach);
   });
   return part * step;
@@ -259,17 +309,17 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
   const Touch touch = compute_touch(around, p);
   const Vec3 to_hand = hand - p;
   if (touch.stiffness.isZero(0.0)) {
-    const double most = 0.5 * around.tool.radius;
+    const double most = 0.5 * around.shape.tool.radius;
     return to_hand.norm() <= most ? hand : Vec3(p + limit(to_hand, most));
   }
   const Vec3 residual = limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force;
   const Mat3 jacobian = coupling.stiffness * Mat3::Identity() + touch.stiffness;
-  const bool rubs = around.tool.friction > 0.0 && !touch.contact.isZero(0.0);
+  const bool rubs = around.shape.tool.friction > 0.0 && !touch.contact.isZero(0.0);
   const Vec3 whole =
       rubs ? find_friction_step({residual - touch.contact, touch.contact,
                                  coupling.stiffness + touch.hold_stiffness,
                                  touch.stiffness - touch.hold_stiffness * Mat3::Identity()},
-                                stuck - p, around.tool.friction)
+                                stuck - p, around.shape.tool.friction)
            : Vec3(jacobian.llt().solve(residual));
   const Vec3 step = shorten(around, p, touch, whole);
   // all surfaces were searched along the same path
@@ -314,6 +364,18 @@ void follow_grip(const Surroundings& around, std::size_t body, const Vec3& p) no
   }
 }
 
+/// [N m] On the tool about p, of all that the loads have.
+Vec3 compute_torque(const Surroundings& around, const Vec3& p) noexcept {
+  Vec3 torque = Vec3::Zero();
+  for (std::size_t b = 0; b < around.surfaces.size(); ++b) {
+    for (const Push& push : around.surfaces[b].load->pushes()) {
+      const Vec3 at = compute_point_of(around, static_cast<int>(b), push.triangle, push.weights);
+      torque -= (at - p).cross(push.force);
+    }
+  }
+  return torque;
+}
+
 /// Writes what the tool does to the surfaces under the pull of the hand's spring [N]; returns the
 /// sum of forces on the tool.
 Vec3 write_pushes(const Surroundings& around, const Vec3& pull, ToolState& state) noexcept {
@@ -336,18 +398,19 @@ Vec3 write_pushes(const Surroundings& around, const Vec3& pull, ToolState& state
     state.carrier = {t, contact.weights, compute_point_of(around, body, t, contact.weights),
                      contact.direction, body};
   });
-  if (around.tool.friction > 0.0) {
+  if (around.shape.tool.friction > 0.0) {
     Vec3 applied = pull;
     for (const ToolState::Hold& hold : around.holds) {
       applied += compute_pull(around, hold, state.position);
     }
-    sum += add_friction(around.surfaces, applied, sum, around.tool.friction, state);
+    sum += add_friction(around.surfaces, applied, sum, around.shape.tool.friction, state);
   }
   for (const ToolState::Hold& hold : around.holds) {
     const Vec3 force = compute_pull(around, hold, state.position);
     Load& load = *around.surfaces[static_cast<std::size_t>(hold.body)].load;
     if (load.add({hold.triangle, hold.weights, -force})) sum += force;
   }
+  if (around.shape.axes.count > 0) state.torque = compute_torque(around, state.position);
   return sum;
 }
 
@@ -370,8 +433,9 @@ Vec3 write_pushes(const Surroundings& around, const Vec3& pull, ToolState& state
 /// into contact. ToolState::residual is that difference.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
                   std::span<const TouchedSurface> surfaces, ToolState& state) noexcept {
-  const Surroundings around{
-      tool, surfaces, {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
+  const Surroundings around{{tool, Axes(tool, state.orientation)},
+                            surfaces,
+                            {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
   bool near = state.hold_count > 0;
   for (const TouchedSurface& surface : surfaces) {
     surface.candidates->lanes.reach = -1.0;  // the tissue has moved since they were filled
@@ -417,11 +481,12 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
 }
 
 std::vector<TriangleContact> list_contacts(const Tool& tool, const TouchedSurface& surface,
-                                           const Vec3& position) {
+                                           const Vec3& position, const Quaternion& orientation) {
   std::vector<TriangleContact> list;
+  const Shape shape{tool, Axes(tool, orientation)};
   surface.candidates->lanes.reach = -1.0;
   surface.candidates->near.found = false;
-  for_each_contact(tool, surface, position, [&](int t, const Contact& contact) {
+  for_each_contact(shape, surface, position, [&](int t, const Contact& contact) {
     if (contact.force > 0.0) list.push_back({t, contact});
   });
   return list;

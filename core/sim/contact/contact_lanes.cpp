@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "palpate/sim/base/private/vector_targets.h"
 #include "palpate/sim/contact/find_candidates.h"
 
@@ -18,17 +20,21 @@ namespace {
 
 struct Entry {
   std::int64_t target;
-  ContactLanes::Find find;
+  ContactLanes::Find find, find_capsules;
   int (*width)() noexcept;
 };
 
 constexpr Entry kEntries[] = {
 #if HWY_ARCH_X86
-    {HWY_AVX3, HWY_CHOOSE_AVX3(find_contacts), HWY_CHOOSE_AVX3(count_lanes)},
-    {HWY_AVX2, HWY_CHOOSE_AVX2(find_contacts), HWY_CHOOSE_AVX2(count_lanes)},
-    {HWY_SSE4, HWY_CHOOSE_SSE4(find_contacts), HWY_CHOOSE_SSE4(count_lanes)},
+    {HWY_AVX3, HWY_CHOOSE_AVX3(find_contacts), HWY_CHOOSE_AVX3(find_capsule_contacts),
+     HWY_CHOOSE_AVX3(count_lanes)},
+    {HWY_AVX2, HWY_CHOOSE_AVX2(find_contacts), HWY_CHOOSE_AVX2(find_capsule_contacts),
+     HWY_CHOOSE_AVX2(count_lanes)},
+    {HWY_SSE4, HWY_CHOOSE_SSE4(find_contacts), HWY_CHOOSE_SSE4(find_capsule_contacts),
+     HWY_CHOOSE_SSE4(count_lanes)},
 #elif HWY_ARCH_ARM
-    {HWY_NEON, HWY_CHOOSE_NEON(find_contacts), HWY_CHOOSE_NEON(count_lanes)},
+    {HWY_NEON, HWY_CHOOSE_NEON(find_contacts), HWY_CHOOSE_NEON(find_capsule_contacts),
+     HWY_CHOOSE_NEON(count_lanes)},
 #endif
 };
 
@@ -37,6 +43,7 @@ void choose_target(std::string_view target, ContactLanes& lanes) {
     const bool meant = target.empty() || target == hwy::TargetName(entry.target);
     if (!meant || !entry.find || (hwy::SupportedTargets() & entry.target) == 0) continue;
     lanes.find = entry.find;
+    lanes.find_capsules = entry.find_capsules;
     lanes.width = entry.width();
     return;
   }
@@ -61,10 +68,14 @@ void choose_target(std::string_view, ContactLanes&) {}
 #if !defined(HWY_ONCE) || HWY_ONCE
 namespace palpate {
 
-ContactLanes::ContactLanes(int capacity, std::string_view target) {
+ContactLanes::ContactLanes(int capacity, std::string_view target, int capsules) {
   choose_target(target, *this);
   if (find == nullptr) return;
-  const auto size = static_cast<std::size_t>(capacity + width);
+  const auto size = static_cast<std::size_t>(capacity * std::max(1, capsules) + width);
+  if (capsules > 0) {
+    capsule.resize(size);
+    for (Column& column : axis) column.resize(size);
+  }
   triangle.resize(size);
   for (Column& column : corners) column.resize(size);
   for (Column& column : weights) column.resize(size);

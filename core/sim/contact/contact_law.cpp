@@ -2,11 +2,15 @@
 #include "palpate/sim/contact/contact_law.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/tree/private/box.h"
 #include "palpate/sim/tree/queries.h"
 
 namespace palpate {
+namespace {
 
 /// With the closest point x, the centre a, D = |a - x| and the depth d = r - D > 0:
 ///
@@ -20,17 +24,11 @@ namespace palpate {
 /// path: in a narrow dent the closest point of a wall lies on its edge and the centre is behind
 /// its plane, though outside. Seen nearly edge-on it fades, in proportion to the cosine: dropped
 /// at its full force, the wall of a dent would chatter for ever between seen and not seen.
-bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,
-                  const Vec3& b, const Vec3& c, Contact& contact) noexcept {
-  const Box box = bound_triangle(a, b, c);
-  const double squared_radius = tool.radius * tool.radius;
-  if (!(compute_squared_distance(centre, box.low, box.high) < squared_radius)) return false;
-  const SurfacePoint closest = find_closest_on_triangle(centre, a, b, c);
+bool fill_contact(const Tool& tool, double rest_area, const Vec3& arm, const SurfacePoint& closest,
+                  const Vec3& normal, Contact& contact) noexcept {
   const double depth = tool.radius - closest.distance;
+  contact.distance = closest.distance;
   if (!(depth > 0.0)) return false;
-
-  const Vec3 normal = (b - a).cross(c - a);
-  const Vec3 arm = centre - closest.point;
   double share = 1.0;
   if (closest.distance > kNoArm * tool.radius) {
     const double facing = arm.dot(normal) / (closest.distance * normal.norm());
@@ -47,10 +45,127 @@ bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const 
   const double k = share * tool.stiffness * std::max(rest_area, 0.5 * normal.norm());
   const double z = std::max(kBarrierFloor, 1.0 - depth / tool.radius);
   contact.weights = closest.weights;
-  contact.distance = closest.distance;
   contact.force = k * depth / z;
   contact.stiffness = k / (z * z);
   return true;
+}
+
+/// Of a point on the axis and the triangle.
+struct AxisPoint {
+  double along = 0.0;  // 0 to 1
+  double square = std::numeric_limits<double>::infinity();
+  Vec3 weights = Vec3::Zero();
+  Vec3 point = Vec3::Zero();  // of the triangle
+};
+
+void keep_nearer(double along, const Vec3& weights, const Vec3& at, const Vec3& point,
+                 AxisPoint& best) noexcept {
+  const double found = (at - point).squaredNorm();
+  if (found < best.square) best = {along, found, weights, point};
+}
+
+double divide(double a, double b) noexcept { return b > 0.0 ? a / b : 0.0; }
+
+/// The nearest points of an axis and an edge: that of two lines, brought into both in turn; of
+/// parallel ones, that of the axis' middle [Ericson04].
+void keep_nearer_on_edge(const Vec3& from, const Vec3& axis, const Vec3& start, const Vec3& edge,
+                         int first, AxisPoint& best) noexcept {
+  const Vec3 r = from - start;
+  const double a = axis.squaredNorm(), e = edge.squaredNorm(), b = axis.dot(edge);
+  const double c = axis.dot(r), f = edge.dot(r), determinant = a * e - b * b;
+  const double s0 =
+      determinant > kParallel * a * e ? std::clamp((b * f - c * e) / determinant, 0.0, 1.0) : 0.5;
+  const double t = std::clamp(divide(b * s0 + f, e), 0.0, 1.0);
+  const double s = std::clamp(divide(b * t - c, a), 0.0, 1.0);
+  Vec3 weights = Vec3::Zero();
+  weights[first] = 1.0 - t;
+  weights[(first + 1) % 3] = t;
+  keep_nearer(s, weights, from + s * axis, start + t * edge, best);
+}
+
+/// The closest points of a segment and a triangle that it does not cross: one of the two is at the
+/// end of the segment or on an edge.
+AxisPoint find_on_axis(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b,
+                       const Vec3& c) noexcept {
+  AxisPoint best;
+  const SurfacePoint at_from = find_closest_on_triangle(from, a, b, c);
+  keep_nearer(0.0, at_from.weights, from, at_from.point, best);
+  const SurfacePoint at_to = find_closest_on_triangle(to, a, b, c);
+  keep_nearer(1.0, at_to.weights, to, at_to.point, best);
+  const Vec3 axis = to - from;
+  keep_nearer_on_edge(from, axis, a, b - a, 0, best);
+  keep_nearer_on_edge(from, axis, b, c - b, 1, best);
+  keep_nearer_on_edge(from, axis, c, a - c, 2, best);
+  return best;
+}
+
+}  // namespace
+
+bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,
+                  const Vec3& b, const Vec3& c, Contact& contact) noexcept {
+  const Box box = bound_triangle(a, b, c);
+  const double squared_radius = tool.radius * tool.radius;
+  if (!(compute_squared_distance(centre, box.low, box.high) < squared_radius)) return false;
+  const SurfacePoint closest = find_closest_on_triangle(centre, a, b, c);
+  const Vec3 normal = (b - a).cross(c - a);
+  return fill_contact(tool, rest_area, centre - closest.point, closest, normal, contact);
+}
+
+/// That of the ball about the point of the axis that is nearest to the triangle.
+bool find_capsule_contact(const Tool& tool, double rest_area, const Vec3& from, const Vec3& to,
+                          const Vec3& a, const Vec3& b, const Vec3& c, Contact& contact) noexcept {
+  const Box box = bound_triangle(a, b, c);
+  const Box axis{from.cwiseMin(to), from.cwiseMax(to)};
+  const Vec3 apart = (box.low - axis.high).cwiseMax(axis.low - box.high);
+  if (apart.maxCoeff() > tool.radius) return false;
+  const AxisPoint nearest = find_on_axis(from, to, a, b, c);
+  SurfacePoint closest;
+  closest.weights = nearest.weights;
+  closest.point = nearest.point;
+  closest.distance = std::sqrt(nearest.square);
+  const Vec3 arm = from + nearest.along * (to - from) - nearest.point;
+  return fill_contact(tool, rest_area, arm, closest, (b - a).cross(c - a), contact);
+}
+
+Axes::Axes(const Tool& tool, const Quaternion& orientation) noexcept {
+  for (const Capsule& capsule : tool.capsules) {
+    if (count == kMostCapsules) return;
+    capsules[static_cast<std::size_t>(count++)] = {orientation * capsule.from,
+                                                   orientation * capsule.to};
+  }
+}
+
+Vec3 find_nearest_on_axes(const Axes& axes, const Vec3& p, const Vec3& point) noexcept {
+  Vec3 nearest = p;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Capsule& axis : axes.list()) {
+    const Vec3 along = axis.to - axis.from, start = p + axis.from;
+    const double square = along.squaredNorm();
+    const double t = square > 0.0 ? std::clamp((point - start).dot(along) / square, 0.0, 1.0) : 0.0;
+    const Vec3 at = start + t * along;
+    if (!((at - point).squaredNorm() < least)) continue;
+    least = (at - point).squaredNorm();
+    nearest = at;
+  }
+  return nearest;
+}
+
+bool find_shape_contact(const Shape& shape, double rest_area, const Vec3& p, const Vec3& a,
+                        const Vec3& b, const Vec3& c, Contact& contact) noexcept {
+  if (shape.axes.count == 0) return find_contact(shape.tool, rest_area, p, a, b, c, contact);
+  double nearest = std::numeric_limits<double>::infinity();
+  bool touches = false;
+  for (const Capsule& axis : shape.axes.list()) {
+    Contact its;
+    its.distance = std::numeric_limits<double>::infinity();
+    const bool its_touches =
+        find_capsule_contact(shape.tool, rest_area, p + axis.from, p + axis.to, a, b, c, its);
+    if (!(its.distance < nearest)) continue;
+    nearest = its.distance;
+    touches = its_touches;
+    contact = its;
+  }
+  return touches;
 }
 
 }  // namespace palpate

@@ -23,10 +23,17 @@ inline constexpr double kNoArm = 1e-9;
 /// Cosine between arm and normal from which a contact counts in full.
 inline constexpr double kFullFacing = 0.25;
 
+/// sin² of the angle between a capsule's axis and an edge below which they count as parallel.
+inline constexpr double kParallel = 1e-12;
+
 /// The contact of a tip at `centre` with the triangle a, b, c of `rest_area` [m²]; false where
 /// there is none, or where the centre lies behind the triangle.
 bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,
                   const Vec3& b, const Vec3& c, Contact& contact) noexcept;
+
+/// The same of a capsule of the tool whose axis goes from `from` to `to` [m].
+bool find_capsule_contact(const Tool& tool, double rest_area, const Vec3& from, const Vec3& to,
+                          const Vec3& a, const Vec3& b, const Vec3& c, Contact& contact) noexcept;
 
 /// [m] The point of a triangle with these barycentric weights.
 inline Vec3 compute_point(const Triangle& t, const Vec3& weights,

@@ -3,22 +3,44 @@
 
 #include <algorithm>
 
+#include "palpate/sim/contact/private/axes.h"
+#include "palpate/sim/contact/private/broad_phase.h"
 #include "palpate/sim/tree/queries.h"
 
 namespace palpate {
 
+Sweep::Sweep(const Tool& tool, const Quaternion& orientation, const Vec3& tool_position,
+             const Vec3& hand_position) noexcept {
+  if (tool.capsules.empty()) {
+    parts[0] = {tool_position, hand_position, tool.radius};
+    count = 1;
+    return;
+  }
+  const Vec3 middle = 0.5 * (tool_position + hand_position);
+  const double half = 0.5 * (hand_position - tool_position).norm();
+  const Axes axes(tool, orientation);
+  for (const Capsule& axis : axes.list()) {
+    parts[static_cast<std::size_t>(count++)] = {middle + axis.from, middle + axis.to,
+                                                tool.radius + half};
+  }
+}
+
 void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,
                      const Vec3& tool_position, const Vec3& hand_position,
-                     std::span<const double> rest_areas, Candidates& candidates) noexcept {
-  const int found = find_near_segment(tree, x, tool_position, hand_position,
-                                      tool.radius + kCandidateMargin, candidates.triangles);
+                     std::span<const double> rest_areas, Candidates& candidates,
+                     const Quaternion& orientation) noexcept {
+  const Sweep sweep(tool, orientation, tool_position, hand_position);
+  std::size_t found = 0;
+  for (const SweptPart& part : sweep.list()) {
+    const auto rest = std::span(candidates.triangles).subspan(found);
+    const int more =
+        find_near_segment(tree, x, part.from, part.to, part.radius + kCandidateMargin, rest);
+    found += std::min(static_cast<std::size_t>(more), rest.size());
+  }
   candidates.from = tool_position;
   candidates.to = hand_position;
   candidates.near.knows_compliance = candidates.near.found = false;
-  candidates.count = std::min(found, static_cast<int>(candidates.triangles.size()));
-  for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
-    candidates.areas[i] = rest_areas[static_cast<std::size_t>(candidates.triangles[i])];
-  }
+  keep_each_once(sweep.count, found, rest_areas, candidates);
 }
 
 }  // namespace palpate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -25,17 +26,21 @@ static_assert(sizeof(Contact) == 72 && alignof(Contact) == 8);
 struct ContactLanes {
   ContactLanes() = default;
   /// Room for `capacity` triangles, for one of simd_targets(); empty for the best.
-  ContactLanes(int capacity, std::string_view target);
+  /// With capsules, each triangle has a lane for each of them.
+  ContactLanes(int capacity, std::string_view target, int capsules = 0);
 
   using Column = CacheAligned<double>;
   using Find = void (*)(ContactLanes& lanes, double radius, double stiffness) noexcept;
 
   Find find = nullptr;  ///< null without vector code
-  int width = 1;        ///< lanes of a vector: columns are filled up to a multiple of it
-  int count = 0;        ///< lanes that hold a triangle
+  Find find_capsules = nullptr;
+  int width = 1;  ///< lanes of a vector: columns are filled up to a multiple of it
+  int count = 0;  ///< lanes that hold a triangle
   std::vector<int> triangle;
   std::array<Column, 9> corners;  ///< [m] x, y, z of the first corner, of the second, of the third
   Column rest_area;               ///< [m²]
+  std::vector<int> capsule;       ///< which of the tool's, empty of a ball
+  std::array<Column, 6> axis;     ///< [m] its ends off the tool's position, likewise
   Vec3 filled_at = Vec3::Zero();  ///< [m] all that lies within `reach` of this point is here
   double reach = -1.0;            ///< [m]
   Vec3 centre = Vec3::Zero();     ///< [m] of the tip
@@ -104,8 +109,11 @@ struct NearContacts : NearMemory {
 
 /// Triangles the tool may touch during one tick, ascending, with the area of each [m²].
 struct Candidates {
-  explicit Candidates(int capacity = 0)
-      : triangles(static_cast<std::size_t>(capacity)), areas(static_cast<std::size_t>(capacity)) {}
+  /// With capsules, the list has room for what is near to each of them.
+  explicit Candidates(int capacity = 0, int capsules = 0)
+      : triangles(static_cast<std::size_t>(capacity) *
+                  static_cast<std::size_t>(std::max(1, capsules))),
+        areas(triangles.size()) {}
 
   std::vector<int> triangles;  ///< capacity; the triangle count of the tissue is always enough
   std::vector<double> areas;   ///< [m²] at rest, so that pressing does not change the law
@@ -121,11 +129,12 @@ static_assert(alignof(Candidates) == 8);
 /// [m].
 inline constexpr double kCandidateMargin = 1.2e-3;
 
-/// Finds every triangle within radius + kCandidateMargin of the path from the tool's last position
-/// to where the hand is now. Once per tick; the contacts themselves are found in every substep.
-/// `rest_areas` [m²] per triangle of the tissue.
+/// Finds every triangle within radius + kCandidateMargin of the path of the tool from its last
+/// position to where the hand is now, turned as it is. Once per tick; the contacts themselves are
+/// found in every substep. `rest_areas` [m²] per triangle of the tissue.
 void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,
                      const Vec3& tool_position, const Vec3& hand_position,
-                     std::span<const double> rest_areas, Candidates& candidates) noexcept;
+                     std::span<const double> rest_areas, Candidates& candidates,
+                     const Quaternion& orientation = Quaternion::Identity()) noexcept;
 
 }  // namespace palpate

@@ -7,11 +7,20 @@
 
 namespace palpate {
 
-/// The tip of the instrument: a sphere, never a point.
+/// All points within the tool's radius of a segment, which is given in the tool's frame.
+struct Capsule {
+  Vec3 from = Vec3::Zero();  ///< [m]
+  Vec3 to = Vec3::Zero();    ///< [m]
+};
+
+inline constexpr int kMostCapsules = 8;
+
+/// What of the instrument touches, never a point: a ball, or a rigid list of capsules.
 struct Tool {
-  double radius = 0.003;   ///< [m]
+  double radius = 0.003;   ///< [m] of the ball, or of every capsule
   double stiffness = 3e7;  ///< [N/m³] k_A: pressure per depth of the contact law
   double friction = 0.0;   ///< [-] Coulomb's coefficient mu between tip and tissue; 0: it slides
+  std::vector<Capsule> capsules = {};  ///< at most kMostCapsules; none: a ball about the position
 };
 
 /// Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.
@@ -66,13 +75,18 @@ struct ToolState {
       : holds(static_cast<std::size_t>(capacity)),
         patch(static_cast<std::size_t>(patch_capacity)) {}
 
-  Vec3 position = Vec3::Zero();  ///< [m]
-  bool placed = false;           ///< false until the first sample has put it somewhere
-  std::vector<Hold> holds;       ///< capacity
-  int hold_count = 0;            ///< 0 when nothing is attached
+  Vec3 position = Vec3::Zero();                     ///< [m]
+  Quaternion orientation = Quaternion::Identity();  ///< unit, of the tool's frame
+  bool placed = false;      ///< false until the first sample has put it somewhere
+  std::vector<Hold> holds;  ///< capacity
+  int hold_count = 0;       ///< 0 when nothing is attached
   Carrier carrier;
   bool touching = false;         ///< any contact in force in the last substep
   Vec3 residual = Vec3::Zero();  ///< [N] left between hand and tissue after the last substep
+
+  /// [N m] on the tool about its position, of the contacts and holds of the last substep; of a tool
+  /// with capsules
+  Vec3 torque = Vec3::Zero();
 
   // of a tool with friction, after the last substep
   std::vector<PatchPoint> patch;       ///< patch_capacity

@@ -28,8 +28,9 @@ struct BodySnapshot {
 /// An instrument and its device as a reader sees them.
 struct InstrumentSnapshot {
   HapticSample sample;
-  Vec3 tool_position = Vec3::Zero();  ///< [m]
-  Vec3 force = Vec3::Zero();          ///< [N] on the hand; none while the motors are not on
+  Vec3 tool_position = Vec3::Zero();                     ///< [m]
+  Quaternion tool_orientation = Quaternion::Identity();  ///< unit, of the tool's frame
+  Vec3 force = Vec3::Zero();  ///< [N] on the hand; none while the motors are not on
   bool touching = false;
   MotorState motors = MotorState::on;  ///< of the device
   long interventions = 0;              ///< of its passivity controller, so far

@@ -65,6 +65,12 @@ void add_holds(const ToolState& tool, bool with_body, Hash& hash) noexcept {
   }
 }
 
+/// A ball has no directions.
+void add_orientation(const ToolState& tool, Hash& hash) noexcept {
+  if (tool.orientation.coeffs() == Quaternion::Identity().coeffs()) return;
+  for (int k = 0; k < 4; ++k) hash.add(tool.orientation.coeffs()[k]);
+}
+
 /// A tool without friction has no patch: its records have the hashes that they had.
 void add_patch(const ToolState& tool, Hash& hash) noexcept {
   for (int k = 0; k < tool.patch_count; ++k) {
@@ -96,6 +102,7 @@ std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
   }
   for (const InstrumentState& instrument : world.instruments) {
     add_holds(instrument.tool, world.bodies.size() > 1, hash);
+    add_orientation(instrument.tool, hash);
     add_patch(instrument.tool, hash);
   }
   return hash.finish();

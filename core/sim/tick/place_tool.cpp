@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "palpate/sim/tick/private/world_internals.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
 
@@ -39,12 +41,80 @@ bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_po
   return !in_box || compute_winding_number(tree.triangles(), x, hand_position) < 0.5;
 }
 
+/// Capsules have room where both ends have, and no surface lies between them.
+bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
+              const Tool& tool, const Quaternion& orientation) noexcept {
+  if (tool.capsules.empty()) return has_room(tree, x, hand_position, tool.radius);
+  return std::ranges::all_of(tool.capsules, [&](const Capsule& capsule) noexcept {
+    const Vec3 from = hand_position + orientation * capsule.from;
+    const Vec3 to = hand_position + orientation * capsule.to;
+    return !find_segment_hit(tree, x, from, to) && has_room(tree, x, from, tool.radius) &&
+           has_room(tree, x, to, tool.radius);
+  });
+}
+
 bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
                 double radius, ToolState& tool) noexcept {
   if (tool.placed) return true;
   tool.position = hand_position;
   tool.placed = has_room(tree, x, hand_position, radius);
   return tool.placed;
+}
+
+namespace {
+
+/// [rad/s] A tool that is turned against tissue with more than that torque [N m] does not turn
+/// faster: the hand feels no torque, and would lever an organ for nothing.
+constexpr double kFastestTurn = 3.0, kFreeTorque = 0.02;
+
+/// Part of the radius by which the far end of a tool may be turned in a tick: it stays before the
+/// surface.
+constexpr double kTurnInRadii = 0.25;
+
+/// [m] A tip that has come out this near to its trocar is turned no further: close to it the shaft
+/// would swing round with every tremor.
+constexpr double kLeastInserted = 0.005;
+
+/// The part of a turn that is about z.
+Quaternion take_roll(const Quaternion& turn) noexcept {
+  const double length = std::hypot(turn.w(), turn.z());
+  if (!(length > 0.0)) return Quaternion::Identity();
+  return Quaternion(turn.w() / length, 0.0, 0.0, turn.z() / length);
+}
+
+/// z along the shaft, from the tip to the trocar, and the hand's roll about it [contact: trocar].
+Quaternion point_through(const Vec3& trocar, const Quaternion& hand,
+                         const ToolState& state) noexcept {
+  const Vec3 shaft = trocar - state.position;
+  if (!(shaft.norm() > kLeastInserted)) return state.orientation;
+  const Quaternion swing(Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), shaft));
+  return swing * take_roll(hand);
+}
+
+}  // namespace
+
+void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt,
+               ToolState& state) noexcept {
+  const Tool& tool = instrument.tool;
+  if (tool.capsules.empty()) return;
+  const double norm = hand.norm();
+  if (!(norm > 0.0)) return;
+  Quaternion wanted(Eigen::Vector4d(hand.coeffs() / norm));
+  if (instrument.trocar) wanted = point_through(*instrument.trocar, wanted, state);
+  if (!state.placed) {
+    state.orientation = wanted;
+    return;
+  }
+  double reach = tool.radius;
+  for (const Capsule& capsule : tool.capsules) {
+    reach = std::max({reach, capsule.from.norm(), capsule.to.norm()});
+  }
+  double most = kTurnInRadii * tool.radius / reach;
+  if (state.torque.norm() > kFreeTorque) most = std::min(most, kFastestTurn * dt);
+  const Quaternion before = state.orientation;
+  const double angle = before.angularDistance(wanted);
+  state.orientation = wanted;
+  if (angle > most) state.orientation = before.slerp(most / angle, wanted).normalized();
 }
 
 }  // namespace palpate

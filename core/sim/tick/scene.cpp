@@ -33,6 +33,9 @@ constexpr double kRounding = 1e-6;
 // beyond this a tick of 1 ms could not be kept by any machine this is made for
 constexpr int kMostSubsteps = 10000;
 
+/// [m] From the position of a tool: no instrument for the abdomen is longer.
+constexpr double kFarthestCapsule = 0.5;
+
 /// Where in a scene a value is: "tissue" where there is one body, else "bodies[1].tissue".
 class Place {
  public:
@@ -77,15 +80,78 @@ void check_target(const std::string& field, const std::string& target) {
   throw std::invalid_argument("scene: " + field + ": got " + target + ", expected " + names);
 }
 
+void check_capsules(const Tool& tool, const Place& place) {
+  const std::vector<Capsule>& capsules = tool.capsules;
+  if (capsules.size() > kMostCapsules) {
+    refuse(place("tool.capsules"), static_cast<double>(capsules.size()), "at most 8");
+  }
+  for (const Capsule& capsule : capsules) {
+    for (const Vec3& end : {capsule.from, capsule.to}) {
+      if (end.allFinite() && end.norm() <= kFarthestCapsule) continue;
+      refuse(place("tool.capsules [m]"), end.norm(), "ends within 0.5 m of the tool's position");
+    }
+  }
+}
+
+void check_trocar(const Instrument& instrument, const Place& place) {
+  if (!instrument.trocar) return;
+  const double far = instrument.trocar->norm();
+  if (!std::isfinite(far)) refuse(place("trocar [m]"), far, "a place");
+  if (instrument.tool.capsules.empty()) {
+    refuse(place("trocar [m]"), far, "none for a ball: it has no shaft that would go through");
+  }
+}
+
+/// The near field is that of a ball, or of one capsule in a solid; parts of a tissue sleep around a
+/// ball.
+void check_shape_in(const SoftBody& body, const Place& place, const Tool& tool) {
+  if (body.force_error > 0.0) {
+    refuse(place("force_error [N]"), body.force_error,
+           "0 for an instrument of capsules: how wrong sleep makes a force is known of balls");
+  }
+  if (body.contact_modulus == 0.0) return;
+  if (!body.tissue.prisms.corners.empty()) {
+    refuse(place("contact_modulus [Pa]"), body.contact_modulus,
+           "0, the hard law, for an instrument of capsules: the near field of a wall is a ball's");
+  }
+  if (body.contact_facets) {
+    refuse(place("contact_facets"), 1.0,
+           "false for an instrument of capsules: how curved facets are is felt by balls");
+  }
+  if (body.tied_holds) {
+    refuse(place("tied_holds"), 1.0,
+           "false for an instrument of capsules: what is tied is the disc under a ball");
+  }
+  if (tool.capsules.size() > 1) {
+    refuse(place("contact_modulus [Pa]"), body.contact_modulus,
+           "0, the hard law, for an instrument of several capsules: the near field is of one");
+  }
+}
+
+void check_shapes(const Scene& scene) {
+  for (const Instrument& instrument : scene.instruments) {
+    if (instrument.tool.capsules.empty()) continue;
+    if (scene.exchange_rate > 0.0) {
+      refuse("exchange_rate [Hz]", scene.exchange_rate,
+             "0 for an instrument of capsules: between two exchanges a ball is felt");
+    }
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+      check_shape_in(scene.bodies[b], Place("bodies", b, scene.bodies.size()), instrument.tool);
+    }
+  }
+}
+
 void validate(const Instrument& instrument, const Place& place) {
   require_positive(place("tool.radius [m]"), instrument.tool.radius);
   require_positive(place("tool.stiffness [N/m^3]"), instrument.tool.stiffness);
   if (!(instrument.tool.friction >= 0.0) || !std::isfinite(instrument.tool.friction)) {
     refuse(place("tool.friction [-]"), instrument.tool.friction, "0, or a positive number");
   }
+  check_capsules(instrument.tool, place);
   require_positive(place("coupling.stiffness [N/m]"), instrument.coupling.stiffness);
   require_positive(place("coupling.force_max [N]"), instrument.coupling.force_max);
   require_positive(place("hold_stiffness [N/m]"), instrument.hold_stiffness);
+  check_trocar(instrument, place);
 }
 
 void check_far_compliance(const SoftBody& body, const Place& place) {
@@ -168,6 +234,7 @@ void validate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
     validate(scene.instruments[i], Place("instruments", i, scene.instruments.size()));
   }
+  check_shapes(scene);
   refuse_rows("rigid", scene.rigid.size());
   refuse_rows("scenery", scene.scenery.size());
   require_positive("rate [Hz]", scene.rate);
@@ -279,6 +346,19 @@ void build_contact(double radius, SoftBody& body) {
   body.near_field = std::make_shared<const NearField>(std::move(near));
 }
 
+/// [m] Half of what an instrument may press at once.
+double find_largest_reach(const Scene& scene) noexcept {
+  double most = 0.0;
+  for (const Instrument& instrument : scene.instruments) {
+    most = std::max(most, instrument.tool.radius);
+    for (const Capsule& capsule : instrument.tool.capsules) {
+      const double half = 0.5 * (capsule.to - capsule.from).norm();
+      most = std::max(most, instrument.tool.radius + half);
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
 Scene make_scene(TissueModel tissue) {
@@ -299,7 +379,7 @@ Scene build_scene(Scene scene) {
     body.rest_areas = compute_rest_areas(body.tissue);
     fill_spectrum(body);
     choose_substeps(scene.rate, place, body);
-    build_contact(find_largest_radius(scene), body);
+    build_contact(find_largest_reach(scene), body);
   }
   return scene;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,10 @@ struct Instrument {
   Tool tool;
   Coupling coupling;
   double hold_stiffness = 500.0;  ///< [N/m] between tool and patch while attached
+  /// [m] where the shaft, which goes along the tool's z to the hand, passes the abdominal wall: z
+  /// points there from the tool's position, and only the roll is the device's. None: the device
+  /// turns the tool [contact: trocar]
+  std::optional<Vec3> trocar = {};
 };
 
 /// What moves and keeps its shape, a stone for one: a hull of spheres. Not simulated yet.

@@ -55,14 +55,14 @@ Vec3 follow_hand(const Vec3& hand, double dt, const InstrumentState& instrument)
 }
 
 /// place_tool() with every tissue of the scene.
-bool place_among_bodies(const Vec3& hand, double radius, const World& world,
-                        ToolState& tool) noexcept {
-  if (tool.placed) return true;
-  tool.position = hand;
-  tool.placed = std::ranges::all_of(world.bodies, [&](const SoftState& body) noexcept {
-    return has_room(body.tree, surface_position(body), hand, radius);
+bool place_among_bodies(const Vec3& hand, const Tool& tool, const World& world,
+                        ToolState& state) noexcept {
+  if (state.placed) return true;
+  state.position = hand;
+  state.placed = std::ranges::all_of(world.bodies, [&](const SoftState& body) noexcept {
+    return has_room(body.tree, surface_position(body), hand, tool, state.orientation);
   });
-  return tool.placed;
+  return state.placed;
 }
 
 /// Draws a tool to its hand, finds what it may touch on the path there, and follows the button.
@@ -76,7 +76,9 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
   motion.travel = was_placed ? (motion.hand - state.hand).norm() : 0.0;
   motion.felt.setZero();
   Stopwatch watch(world.measures_costs);
-  if (place_among_bodies(motion.hand, instrument.tool.radius, world, state.tool)) {
+  if (!was_placed) state.tool.position = motion.hand;
+  turn_tool(instrument, sample.orientation, dt, state.tool);
+  if (place_among_bodies(motion.hand, instrument.tool, world, state.tool)) {
     watch.add_to(world.costs.instruments[i].read);
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
       find_touchable(scene, i, b, motion.hand, world);

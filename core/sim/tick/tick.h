@@ -26,6 +26,10 @@ bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_
 bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
               double radius) noexcept;
 
+/// The same for a tool of any shape that is held so.
+bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
+              const Tool& tool, const Quaternion& orientation) noexcept;
+
 /// How often the surface goes round `p`: 1 inside of a closed surface, 0 outside, and for an open
 /// one what is in between: the share of all directions from `p` that the surface covers.
 double compute_winding_number(std::span<const Triangle> triangles, std::span<const Vec3> x,

@@ -67,6 +67,15 @@ int count_triangles(const SoftBody& body) noexcept {
   return static_cast<int>(body.tissue.triangles.size());
 }
 
+/// Of one instrument, 1 of a ball.
+std::size_t count_most_capsules(const Scene& scene) noexcept {
+  std::size_t most = 1;
+  for (const Instrument& instrument : scene.instruments) {
+    most = std::max(most, instrument.tool.capsules.size());
+  }
+  return most;
+}
+
 int count_triangles(const Scene& scene) noexcept {
   int count = 0;
   for (const SoftBody& body : scene.bodies) count += count_triangles(body);
@@ -83,7 +92,7 @@ NearList::NearList(std::size_t most_particles, std::size_t most_skin)
 
 PackedKernel::PackedKernel(const Scene& scene, const SoftBody& body, const SoftState& soft)
     : near(soft.tissue.position.size(), body.tissue.skin.corners.size()),
-      broad_candidates(body.tissue.triangles.size()),
+      broad_candidates(body.tissue.triangles.size() * count_most_capsules(scene)),
       last_read_at(count_surface(body), -1),
       skin_gain(find_skin_gain(body.tissue.skin)) {
   const bool sleeps = body.force_error > 0.0;
@@ -159,9 +168,10 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
   for (std::size_t i = 0; i < instruments.size(); ++i) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const int count = count_triangles(scene.bodies[b]);
-      pairs.push_back({Candidates(count), Load(2 * count)});
+      const auto capsules = static_cast<int>(scene.instruments[i].tool.capsules.size());
+      pairs.push_back({Candidates(count, capsules), Load(2 * count)});
       if (const PackedKernel* packed = find_packed(bodies[b])) {
-        pairs.back().candidates.lanes = ContactLanes(count, simd_target(*packed->model));
+        pairs.back().candidates.lanes = ContactLanes(count, simd_target(*packed->model), capsules);
       }
       if (scene.bodies[b].near_field) {
         pairs.back().candidates.near = {count, surface_count(scene.bodies[b].tissue),

@@ -121,6 +121,11 @@ LEAST_FINE_RATIO = 0.1
 """[-] Of the edges of a filling at its fine region to those far away."""
 MOST_FRICTION = 2.0
 """[-] Coulomb's coefficient. Wet serosa and smooth metal have a tenth, profiled jaws up to 0.8."""
+MOST_LENGTH = 0.05
+"""[m] Of the part of a shaft that touches. The near field of a longer one would take in the whole
+organ, and the time of a tick."""
+MOST_TROCAR_HEIGHT = 0.3
+"""[m] Instruments for the abdomen are 0.33 m long."""
 MOST_SUBSTEPS = 1000
 """Of a tick. More take longer than a tick does on any machine."""
 
@@ -259,6 +264,28 @@ CONSTANTS = (
         "tool", "stiffness", "Contact stiffness", "N/mm³", "--tool-stiffness", "N/m3", scale=1e9
     ),
     Constant("tool", "friction", "Friction", "", "--friction", "", above=False, most=MOST_FRICTION),
+    Constant(
+        "tool",
+        "length",
+        "Length that touches",
+        "mm",
+        "--tool-length",
+        "m",
+        scale=1e-3,
+        above=False,
+        most=MOST_LENGTH,
+    ),
+    Constant(
+        "tool",
+        "trocar_height",
+        "Trocar height",
+        "mm",
+        "--trocar-height",
+        "m",
+        scale=1e-3,
+        above=False,
+        most=MOST_TROCAR_HEIGHT,
+    ),
     Constant("hand", "coupling", "Hand coupling", "N/m", "--coupling", "N/m"),
     Constant("hand", "force_max", "Largest force", "N", "--force-max", "N"),
     Constant("hand", "hold_stiffness", "Grip stiffness", "N/m", "--grip", "N/m"),

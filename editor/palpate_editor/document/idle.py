@@ -51,6 +51,12 @@ def find_idle(constant: Constant, organ: Organ) -> Idle | None:
             "--fine REGION with it",
             phrase("It counts where a region is filled finer."),
         )
+    if constant.key == "tool.trocar_height" and organ.tool.length == 0.0:
+        return Idle(
+            phrase("a ball has no shaft that would pass a trocar"),
+            "--tool-length above 0 with it",
+            phrase("It counts where the length that touches is above 0."),
+        )
     return find_idle_modulus(constant, organ) if constant.key in ELASTIC else None
 
 

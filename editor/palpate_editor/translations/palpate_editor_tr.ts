@@ -3537,6 +3537,14 @@ Beklenen: {expected}.</translation>
         <source>Friction</source>
         <translation>Sürtünme</translation>
     </message>
+    <message>
+        <source>Length that touches</source>
+        <translation>Dokunan uzunluk</translation>
+    </message>
+    <message>
+        <source>Trocar height</source>
+        <translation>Trokar yüksekliği</translation>
+    </message>
 </context>
 <context>
     <name>edits</name>
@@ -4706,6 +4714,14 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Filling finer at {region}</source>
         <translation>{region} bölgesinde daha ince dolgu</translation>
+    </message>
+    <message>
+        <source>a ball has no shaft that would pass a trocar</source>
+        <translation>kürenin trokardan geçecek bir sapı yoktur</translation>
+    </message>
+    <message>
+        <source>It counts where the length that touches is above 0.</source>
+        <translation>Dokunan uzunluk 0'dan büyükse geçerlidir.</translation>
     </message>
     <message>
         <source>tetrahedra are of one size</source>

@@ -63,6 +63,11 @@ def solve_truth(
     ball = organ.tool.radius if radius is None else radius
     if not (np.isfinite(ball) and ball > 0.0):
         raise TruthError(f"radius: got {ball} m, expected one above 0")
+    if organ.tool.length > 0.0 and radius is None:
+        raise TruthError(
+            f"tool.length: got {organ.tool.length:g} m, expected 0: the truth is that of a ball "
+            "(palpate truth --radius for one)"
+        )
     body = find_whole(organ)
     subject = take_subject(body)
     way = find_stations(organ, subject, ball, path or wanted.Press())

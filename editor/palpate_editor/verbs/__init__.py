@@ -24,6 +24,7 @@ from palpate_editor.verbs import (
     stability,
     tissue,
     tissue_library,
+    tool,
     truth,
 )
 from palpate_editor.verbs.editor import EDITOR
@@ -34,6 +35,7 @@ VERBS = [
     *decimate.VERBS,
     *scan.VERBS,
     *tissue.VERBS,
+    *tool.VERBS,
     *fill.VERBS,
     *tissue_library.VERBS,
     *appearance.VERBS,

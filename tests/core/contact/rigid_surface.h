@@ -52,7 +52,7 @@ struct RigidSurface {
       contacts.triangle[at] = static_cast<int>(t);
       ++contacts.count;
     }
-    palpate::find_near_contacts(tool, {&candidates, triangles, x, nullptr, &near}, p);
+    palpate::find_near_contacts({tool, {}}, {&candidates, triangles, x, nullptr, &near}, p);
     palpate::Vec3 sum = palpate::Vec3::Zero();
     for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
       sum += contacts.contact[i].force * contacts.contact[i].direction;

@@ -19,6 +19,12 @@ int find_leaves_near_segment(const AabbTree& tree, const Vec3& from, const Vec3&
 void choose_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,
                        const Vec3& tool_position, const Vec3& hand_position,
                        std::span<const double> rest_areas, std::span<const int> broad_candidates,
-                       Candidates& candidates) noexcept;
+                       Candidates& candidates,
+                       const Quaternion& orientation = Quaternion::Identity()) noexcept;
+
+/// Ends a search of `parts` of a tool one after the other, which has found so many triangles: sorts
+/// out those that more than one of them is near to, and fills in the areas.
+void keep_each_once(int parts, std::size_t found, std::span<const double> rest_areas,
+                    Candidates& candidates) noexcept;
 
 }  // namespace palpate

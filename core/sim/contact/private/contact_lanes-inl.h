@@ -30,6 +30,9 @@ struct Points {
 HWY_INLINE Points operator-(const Points& a, const Points& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
+HWY_INLINE Points operator+(const Points& a, const Points& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
 HWY_INLINE Points add_scaled(const Real s, const Points& a, const Points& b) {
   return {hn::MulAdd(s, a.x, b.x), hn::MulAdd(s, a.y, b.y), hn::MulAdd(s, a.z, b.z)};
 }
@@ -44,8 +47,9 @@ HWY_INLINE Points choose(const hn::Mask<Lanes> mask, const Points& yes, const Po
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
           hn::IfThenElse(mask, yes.z, no.z)};
 }
-HWY_INLINE Points load_points(const std::array<ContactLanes::Column, 9>& columns, std::size_t first,
-                              std::size_t at) {
+template <std::size_t size>
+HWY_INLINE Points load_points(const std::array<ContactLanes::Column, size>& columns,
+                              std::size_t first, std::size_t at) {
   return {hn::Load(kLanes, columns[first].data() + at),
           hn::Load(kLanes, columns[first + 1].data() + at),
           hn::Load(kLanes, columns[first + 2].data() + at)};
@@ -113,15 +117,62 @@ HWY_INLINE Closest find_closest(const Points& p, const Points& a, const Points& 
   return best;
 }
 
-/// The law of find_contact for the lanes from `at` on.
-HWY_INLINE void find_contacts_at(std::size_t at, double radius, double stiffness,
-                                 ContactLanes& lanes) {
+HWY_INLINE Real clamp_unit(const Real t) {
+  return hn::Min(hn::Max(t, hn::Zero(kLanes)), hn::Set(kLanes, 1.0));
+}
+
+/// a/b, and 0 where b is not positive.
+HWY_INLINE Real divide(const Real a, const Real b) {
+  const auto positive = hn::Gt(b, hn::Zero(kLanes));
+  return hn::IfThenElseZero(positive,
+                            hn::Div(a, hn::IfThenElse(positive, b, hn::Set(kLanes, 1.0))));
+}
+
+/// The nearest points of an axis and an edge that starts at `start`: weights of the edge's start
+/// and end, and the arm between them.
+struct OnEdge {
+  Real start, end;
+  Points arm;
+};
+
+HWY_INLINE OnEdge find_axis_on_edge(const Points& from, const Points& axis, const Points& start,
+                                    const Points& edge) {
+  const Points r = from - start;
+  const Real a = dot(axis, axis), e = dot(edge, edge), b = dot(axis, edge);
+  const Real c = dot(axis, r), f = dot(edge, r);
+  const Real determinant = hn::MulSub(a, e, hn::Mul(b, b));
+  const Real least = hn::Mul(hn::Set(kLanes, kParallel), hn::Mul(a, e));
+  const Real s0 = hn::IfThenElse(hn::Gt(determinant, least),
+                                 clamp_unit(divide(hn::MulSub(b, f, hn::Mul(c, e)), determinant)),
+                                 hn::Set(kLanes, 0.5));
+  const Real t = clamp_unit(divide(hn::MulAdd(b, s0, f), e));
+  const Real s = clamp_unit(divide(hn::MulSub(b, t, c), a));
+  return {hn::Sub(hn::Set(kLanes, 1.0), t), t,
+          add_scaled(hn::Neg(t), edge, add_scaled(s, axis, r))};
+}
+
+/// The closest points of a capsule's axis and a triangle that it does not cross.
+HWY_INLINE Closest find_closest_of_axis(const Points& from, const Points& to, const Points& a,
+                                        const Points& b, const Points& c) {
+  const Real zero = hn::Zero(kLanes);
+  Closest best = find_closest(from, a, b, c);
+  const Closest at_to = find_closest(to, a, b, c);
+  keep_nearer(at_to.weights, at_to.arm, best);
+  const Points axis = to - from;
+  const OnEdge ab = find_axis_on_edge(from, axis, a, b - a);
+  keep_nearer({ab.start, ab.end, zero}, ab.arm, best);
+  const OnEdge bc = find_axis_on_edge(from, axis, b, c - b);
+  keep_nearer({zero, bc.start, bc.end}, bc.arm, best);
+  const OnEdge ca = find_axis_on_edge(from, axis, c, a - c);
+  keep_nearer({ca.end, zero, ca.start}, ca.arm, best);
+  return best;
+}
+
+/// The law of find_contact for the lanes from `at` on, of triangles a, b, c.
+HWY_INLINE void write_contacts_at(std::size_t at, double radius, double stiffness,
+                                  const Closest& closest, const Points& a, const Points& b,
+                                  const Points& c, ContactLanes& lanes) {
   const Real zero = hn::Zero(kLanes), one = hn::Set(kLanes, 1.0), r = hn::Set(kLanes, radius);
-  const Points p = {hn::Set(kLanes, lanes.centre.x()), hn::Set(kLanes, lanes.centre.y()),
-                    hn::Set(kLanes, lanes.centre.z())};
-  const Points a = load_points(lanes.corners, 0, at), b = load_points(lanes.corners, 3, at);
-  const Points c = load_points(lanes.corners, 6, at);
-  const Closest closest = find_closest(p, a, b, c);
   const Real distance = hn::Sqrt(closest.square), depth = hn::Sub(r, distance);
   const Points normal = cross(b - a, c - a);
   const Real twice_area = hn::Sqrt(dot(normal, normal));
@@ -152,9 +203,28 @@ HWY_INLINE void find_contacts_at(std::size_t at, double radius, double stiffness
   hn::Store(hn::Div(slope, z), kLanes, lanes.stiffness.data() + at);
 }
 
+HWY_INLINE Points load_centre(const ContactLanes& lanes) {
+  return {hn::Set(kLanes, lanes.centre.x()), hn::Set(kLanes, lanes.centre.y()),
+          hn::Set(kLanes, lanes.centre.z())};
+}
+
 void find_contacts(ContactLanes& lanes, double radius, double stiffness) noexcept {
+  const Points p = load_centre(lanes);
   for (std::size_t at = 0; at < static_cast<std::size_t>(lanes.count); at += hn::MaxLanes(kLanes)) {
-    find_contacts_at(at, radius, stiffness, lanes);
+    const Points a = load_points(lanes.corners, 0, at), b = load_points(lanes.corners, 3, at);
+    const Points c = load_points(lanes.corners, 6, at);
+    write_contacts_at(at, radius, stiffness, find_closest(p, a, b, c), a, b, c, lanes);
+  }
+}
+
+void find_capsule_contacts(ContactLanes& lanes, double radius, double stiffness) noexcept {
+  const Points p = load_centre(lanes);
+  for (std::size_t at = 0; at < static_cast<std::size_t>(lanes.count); at += hn::MaxLanes(kLanes)) {
+    const Points a = load_points(lanes.corners, 0, at), b = load_points(lanes.corners, 3, at);
+    const Points c = load_points(lanes.corners, 6, at);
+    const Points from = p + load_points(lanes.axis, 0, at), to = p + load_points(lanes.axis, 3, at);
+    write_contacts_at(at, radius, stiffness, find_closest_of_axis(from, to, a, b, c), a, b, c,
+                      lanes);
   }
 }
 

@@ -165,6 +165,8 @@ bool integrate_footprint(const NearPressure& law, const Vec3& centre, const Vec3
   footprint.weights = middle.cwiseMax(0.0) / middle.cwiseMax(0.0).sum();
   footprint.stiffness = std::max(0.0, sums.stiffness);
   footprint.depth = law.radius - height;
+  footprint.axis = centre;
+  footprint.spread = 0.0;
   return true;
 }
 

@@ -5,17 +5,19 @@
 
 namespace palpate {
 
-/// What a ball does to the part of one triangle under it: sums over that part of the pressure of
-/// the near field [contact: near field].
+/// What a ball or a capsule does to the part of one triangle under it: sums over that part of the
+/// pressure of the near field [contact: near field].
 struct Footprint {
   double normal_force = 0.0;    ///< [N] along the triangle's normal
-  double whole_force = 0.0;     ///< [N] that of the whole circle
+  double whole_force = 0.0;     ///< [N] that of a whole plane
   Vec3 normal = Vec3::Zero();   ///< unit, of the triangle
-  Vec3 force = Vec3::Zero();    ///< [N] on the ball, each part along the ball's normal
+  Vec3 force = Vec3::Zero();    ///< [N] on the tool, each part along the tool's normal
   Vec3 weights = Vec3::Zero();  ///< barycentric, of the centre of pressure
   double stiffness = 0.0;       ///< [N/m] d normal_force / d depth
   double area = 0.0;            ///< [m²]
-  double depth = 0.0;           ///< [m] of the ball's lowest point below the triangle's plane
+  double depth = 0.0;           ///< [m] of the tool's lowest point below the triangle's plane
+  Vec3 axis = Vec3::Zero();  ///< [m] the point of a capsule's axis above the pressures, their mean
+  double spread = 0.0;       ///< [m²] variance of those points along the axis
 };
 
 /// The pressure p [Pa] of a ball of radius R [m] where it overlaps tissue by o [m]:
@@ -38,5 +40,11 @@ struct NearPressure {
 /// its plane; false where there is none, or the centre is not above the plane.
 bool integrate_footprint(const NearPressure& law, const Vec3& centre, const Vec3& a, const Vec3& b,
                          const Vec3& c, Footprint& footprint) noexcept;
+
+/// The same under a capsule whose axis goes from `from` to `to` [m]: what of it lies above the
+/// plane counts.
+bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, const Vec3& to,
+                                 const Vec3& a, const Vec3& b, const Vec3& c,
+                                 Footprint& footprint) noexcept;
 
 }  // namespace palpate

@@ -17,6 +17,7 @@ struct TriangleContact {
 /// the law that balance_tool() has: its candidates must be those of the place. Writes into the
 /// candidates' work space, so that they should not be those of a running scene. Allocates.
 std::vector<TriangleContact> list_contacts(const Tool& tool, const TouchedSurface& surface,
-                                           const Vec3& position);
+                                           const Vec3& position,
+                                           const Quaternion& orientation = Quaternion::Identity());
 
 }  // namespace palpate

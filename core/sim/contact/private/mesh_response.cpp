@@ -101,8 +101,8 @@ double sum_crossings(const TouchedSurface& surface, const NearContacts& contacts
 /// The mesh has sunk under the ball, and its corners unevenly: a triangle is tilted where the dent
 /// of tissue is even all around. Without that tilt the force goes along the ball's path less than
 /// the triangle says, and acts where a line along it meets the ball's centre.
-Contact level(const TouchedSurface& surface, const Vec3& tilt, const Vec3& p, int triangle,
-              const Contact& soft) noexcept {
+Contact level(const TouchedSurface& surface, const Vec3& tilt, const Axes& axes, const Vec3& p,
+              int triangle, const Contact& soft) noexcept {
   constexpr double kMostTilt = 0.3;
   const double size = tilt.norm();
   if (!(soft.force > 0.0 && size > 0.0)) return soft;
@@ -110,7 +110,8 @@ Contact level(const TouchedSurface& surface, const Vec3& tilt, const Vec3& p, in
   Contact contact = soft;
   contact.direction = (soft.direction - turn).normalized();
   const Triangle& t = surface.triangles[static_cast<std::size_t>(triangle)];
-  const double height = (p - compute_point(t, soft.weights, surface.x)).norm();
+  const Vec3 pressed = compute_point(t, soft.weights, surface.x);
+  const double height = (find_nearest_on_axes(axes, p, pressed) - pressed).norm();
   for (std::size_t c = 0; c < 3; ++c) {
     contact.weights[static_cast<Eigen::Index>(c)] +=
         height * turn.dot(find_gradient(surface, triangle, c));

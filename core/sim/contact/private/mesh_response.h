@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {
@@ -25,8 +26,8 @@ void find_crossings(const Tool& tool, const TouchedSurface& surface,
 /// [m] What the mesh has left of the sinking under other instruments.
 double sum_crossings(const TouchedSurface& surface, const NearContacts& contacts) noexcept;
 
-/// The contact of a triangle that is tilted by `tilt` [-], for a ball at p.
-Contact level(const TouchedSurface& surface, const Vec3& tilt, const Vec3& p, int triangle,
-              const Contact& soft) noexcept;
+/// The contact of a triangle that is tilted by `tilt` [-], for a ball at p, or axes about it.
+Contact level(const TouchedSurface& surface, const Vec3& tilt, const Axes& axes, const Vec3& p,
+              int triangle, const Contact& soft) noexcept;
 
 }  // namespace palpate

@@ -15,8 +15,8 @@ namespace palpate {
 namespace {
 
 /// What a mesh may make of the pressures, either way. Under a wall that bends between its vertices
-/// they may be next to nothing.
-constexpr double kLeastGain = 0.3, kLeastWallGain = 1e-4, kMostGain = 12.0;
+/// they may be next to nothing; those of a long capsule are half of a half space's and less.
+constexpr double kLeastGain = 0.3, kLeastCapsuleGain = 0.1, kLeastWallGain = 1e-4, kMostGain = 12.0;
 
 /// Parts of the radius: what of a ball is left in the triangles when it is lifted off them, and by
 /// how much it is lifted at most.
@@ -46,12 +46,23 @@ struct Patch {
   double curvature = 0.0;      // [N/m]
   FacetSums facets;            // where they are felt
   Vec3 normal = Vec3::Zero();  // [N]
-  Vec3 centre = Vec3::Zero();  // [N m] of pressure, from the ball's
+  Vec3 centre = Vec3::Zero();  // [N m] of pressure, from the tool's position
+  Vec3 axis = Vec3::Zero();    // [N m] of a capsule's axis above the pressures, likewise
+  double spread = 0.0;         // [N m²] of those places, about that position
+  double stiffness = 0.0;      // [N/m] of the pressures
 
-  void add(const NearField& near, const Triangle& triangle, const Vec3& at, double share,
-           const Footprint& part) noexcept {
+  /// [m] Of the axis above the pressures: a line evenly pressed has the variance length²/12.
+  double length() const noexcept {
+    return std::sqrt(12.0 * std::max(0.0, spread / force - (axis / force).squaredNorm()));
+  }
+
+  void add(const NearField& near, const Triangle& triangle, const Vec3& at, const Vec3& on_axis,
+           double share, const Footprint& part) noexcept {
     const double q = share * part.normal_force;
     force += q;
+    axis += q * on_axis;
+    spread += q * (on_axis.squaredNorm() + part.spread);
+    stiffness += share * part.stiffness;
     whole += q * part.whole_force;
     area += share * part.area;
     depth += q * part.depth;
@@ -107,24 +118,29 @@ double find_deepest(const Tool& tool, const NearContacts& contacts) noexcept {
 /// others have `sunk` [m] the tissue there. The dent in a wall is small beside the ridges between
 /// its triangles, so that it is measured from where the ball touches them first; and so is that in
 /// facets, whose middle lies lower the more they are curved.
-NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, double sunk,
+NearGain find_gain(const NearField& near, const Shape& shape, const Patch& patch, double sunk,
                    const NearContacts& contacts) noexcept {
+  const Tool& tool = shape.tool;
   const Dent dent(patch);
+  const bool ball = shape.axes.count == 0;
+  const double length = ball ? 0.0 : patch.length();
   const bool wall = near.wall_thickness > 0.0;
-  const double below = wall ? find_deepest(tool, contacts)
-                            : tool.radius + patch.centre.dot(dent.normal) / patch.force;
+  const double below =
+      wall ? find_deepest(tool, contacts)
+           : tool.radius + (patch.centre - patch.axis).dot(dent.normal) / patch.force;
   const double left_in = dent.part * below + (1.0 - dent.part) * patch.depth / patch.force;
   const double pressed = dent.part * patch.force + (1.0 - dent.part) * patch.whole / patch.force;
   const double lifted = contacts.lift.dot(dent.normal);
 
   const LocalPress press{near.modulus, tool.radius, find_curvature(near, patch),
-                         contacts.mesh_compliance};
+                         contacts.mesh_compliance, length};
   const LocalPress flat{near.modulus, tool.radius, 0.0, 0.0};
   const double on_mesh = std::max(left_in, 1e-3 * patch.depth / patch.force);
   const double seen = on_mesh + std::max(0.0, lifted) + dent.part * patch.facets.drop();
   // as much as all of it would be a press that nothing resists
   const double depth = std::clamp(seen - sunk, kLeastLeft * seen, seen / kLeastLeft);
-  const double wider = measure_cut(tool.radius, depth) / measure_cut(tool.radius, on_mesh);
+  const double wider =
+      measure_cut(tool.radius, length, depth) / measure_cut(tool.radius, length, on_mesh);
   const bool bends = wall && contacts.mesh_compliance < 0.0;
   const double s = bends ? press.find_depth_on(depth, -contacts.mesh_compliance)
                          : press.find_depth(depth, patch.area * wider);
@@ -132,9 +148,10 @@ NearGain find_gain(const NearField& near, const Tool& tool, const Patch& patch, 
       bends ? press.compute_slope(s) / (1.0 - contacts.mesh_compliance * press.compute_slope(s))
             : press.compute_slope(s) * s / depth;
   NearGain gain;
-  gain.force =
-      std::clamp(press.compute_force(s) / pressed, wall ? kLeastWallGain : kLeastGain, kMostGain);
-  gain.slope = std::clamp(slope / flat.compute_slope(on_mesh), gain.force, 10.0 * kMostGain);
+  const double least = wall ? kLeastWallGain : ball ? kLeastGain : kLeastCapsuleGain;
+  gain.force = std::clamp(press.compute_force(s) / pressed, least, kMostGain);
+  const double theirs = ball ? flat.compute_slope(on_mesh) : std::max(patch.stiffness, 1e-300);
+  gain.slope = std::clamp(slope / theirs, gain.force, 10.0 * kMostGain);
   gain.local_slope = press.compute_slope(s);
   return gain;
 }
@@ -170,6 +187,14 @@ Contact combine(const Tool& tool, const Contact& closest, const Contact& soft,
   contact.direction = sum / force;
   contact.weights = (gain.force * soft.force * soft.weights + hard * closest.weights) / shares;
   return contact;
+}
+
+/// Below the ball or the capsule, which with a near field is one.
+bool integrate(const NearPressure& law, const Axes& axes, const Vec3& p, const Vec3& a,
+               const Vec3& b, const Vec3& c, Footprint& part) noexcept {
+  if (axes.count == 0) return integrate_footprint(law, p, a, b, c, part);
+  const Capsule& axis = axes.capsules[0];
+  return integrate_capsule_footprint(law, p + axis.from, p + axis.to, a, b, c, part);
 }
 
 /// The pressures on one triangle as they are.
@@ -208,8 +233,8 @@ void leave_to_holds(const Vec3& position, const NearContacts& contacts, NearGain
 }
 
 /// Pressures as they are on all triangles.
-Patch press_triangles(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
-  const NearPressure law = make_law(*surface.near, tool);
+Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
+  const NearPressure law = make_law(*surface.near, shape.tool);
   NearContacts& contacts = surface.candidates->near;
   Patch patch;
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
@@ -221,20 +246,22 @@ Patch press_triangles(const Tool& tool, const TouchedSurface& surface, const Vec
     contacts.contact[i] = closest;
     contacts.contact[i].force = contacts.contact[i].stiffness = 0.0;
     Footprint part;
-    if (!integrate_footprint(law, p, corner(0), corner(1), corner(2), part)) continue;
+    if (!integrate(law, shape.axes, p, corner(0), corner(1), corner(2), part)) continue;
     const double share = find_share(closest, part.normal);
     contacts.contact[i] = press(part, closest, share);
-    patch.add(*surface.near, t, compute_point(t, part.weights, surface.x) - p, share, part);
+    patch.add(*surface.near, t, compute_point(t, part.weights, surface.x) - p, part.axis - p, share,
+              part);
   }
   return patch;
 }
 
 }  // namespace
 
-void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept {
+void find_near_contacts(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
+  const Tool& tool = shape.tool;
   const NearField& near = *surface.near;
   NearContacts& contacts = surface.candidates->near;
-  const Patch patch = press_triangles(tool, surface, p);
+  const Patch patch = press_triangles(shape, surface, p);
   contacts.force = 0.0;
   NearGain gain;
   if (patch.force > 0.0) {
@@ -250,7 +277,7 @@ void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const V
       find_crossings(tool, surface, contacts);
       contacts.knows_compliance = true;
     }
-    gain = find_gain(near, tool, patch, sum_crossings(surface, contacts), contacts);
+    gain = find_gain(near, shape, patch, sum_crossings(surface, contacts), contacts);
     contacts.force = gain.force * patch.force;
     leave_to_holds(p - contacts.lift, contacts, gain);
     contacts.force = gain.force * patch.force;
@@ -260,8 +287,8 @@ void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const V
   contacts.local_slope = gain.local_slope;
   contacts.push.setZero();
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
-    const Contact soft = level(surface, contacts.force * contacts.tilt, p, contacts.triangle[i],
-                               contacts.contact[i]);
+    const Contact soft = level(surface, contacts.force * contacts.tilt, shape.axes, p,
+                               contacts.triangle[i], contacts.contact[i]);
     contacts.push += gain.force * soft.force * soft.direction;
     contacts.contact[i] = combine(tool, contacts.closest[i], soft, gain);
   }
@@ -270,15 +297,15 @@ void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const V
   contacts.found = true;
 }
 
-bool find_near_contact(const NearField& near, const Tool& tool, const Contact& closest,
+bool find_near_contact(const NearField& near, const Shape& shape, const Contact& closest,
                        const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, NearGain gain,
                        Contact& contact) noexcept {
   Footprint part;
   Contact soft;
-  if (integrate_footprint(make_law(near, tool), p, a, b, c, part)) {
+  if (integrate(make_law(near, shape.tool), shape.axes, p, a, b, c, part)) {
     soft = press(part, closest, find_share(closest, part.normal));
   }
-  contact = combine(tool, closest, soft, gain);
+  contact = combine(shape.tool, closest, soft, gain);
   return contact.force > 0.0;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {
@@ -24,10 +25,10 @@ inline Vec3 find_lift(const NearContacts& contacts, const Vec3& position) noexce
 
 /// Takes up the closest contacts of a surface under a near field, which the caller has filled, and
 /// writes its contacts for the lifted centre p, and the lift that the next substep is to have.
-void find_near_contacts(const Tool& tool, const TouchedSurface& surface, const Vec3& p) noexcept;
+void find_near_contacts(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept;
 
 /// The contact of one triangle with pressures as they are.
-bool find_near_contact(const NearField& near, const Tool& tool, const Contact& closest,
+bool find_near_contact(const NearField& near, const Shape& shape, const Contact& closest,
                        const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, NearGain gain,
                        Contact& contact) noexcept;
 

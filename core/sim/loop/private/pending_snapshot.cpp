@@ -34,6 +34,7 @@ void note_world(const World& world, std::span<const HapticSample> samples,
     InstrumentSnapshot& seen = pending.seen.instruments[i];
     seen.sample = samples[i];
     seen.tool_position = tool.position;
+    seen.tool_orientation = tool.orientation;
     seen.touching = tool.touching;
   }
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {

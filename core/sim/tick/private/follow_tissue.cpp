@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/broad_phase.h"
 #include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/model/tissue_model.h"
@@ -96,6 +97,22 @@ void read_corners(const TissueModel& tissue, std::span<const int> triangles, lon
   }
 }
 
+/// Triangles of all leaves that a tool may come near to, each once, with the tree `lag` [m] behind.
+std::span<const int> list_broad(const Sweep& sweep, double lag, const AabbTree& tree,
+                                PackedKernel& kernel) noexcept {
+  const std::span<int> room = kernel.broad_candidates;
+  std::size_t found = 0;
+  for (const SweptPart& part : sweep.list()) {
+    const double reach = part.radius + kCandidateMargin + lag;
+    found += static_cast<std::size_t>(
+        find_leaves_near_segment(tree, part.from, part.to, reach, room.subspan(found)));
+  }
+  if (sweep.count == 1) return room.first(found);
+  std::sort(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(found));
+  const auto end = std::unique(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(found));
+  return room.first(static_cast<std::size_t>(end - room.begin()));
+}
+
 /// A hand that is not in the scene yet may be anywhere.
 bool all_placed(const World& world) noexcept {
   return std::ranges::all_of(world.instruments, [](const InstrumentState& instrument) noexcept {
@@ -157,21 +174,21 @@ void find_touchable(const Scene& scene, std::size_t instrument, std::size_t body
   Candidates& candidates = world.pair(instrument, body).candidates;
   const Tool& tool = scene.instruments[instrument].tool;
   const Vec3& position = world.instruments[instrument].tool.position;
+  const Quaternion& orientation = world.instruments[instrument].tool.orientation;
   const Vec3 lift = find_lift(candidates.near, position);
   const Vec3 from = position + lift, to = hand + lift;
   const std::vector<double>& areas = scene.bodies[body].rest_areas;
   candidates.near.knows_compliance = candidates.near.found = false;
   if (!lags(world, state) || state.asleep) {
-    find_candidates(state.tree, surface_position(state), tool, from, to, areas, candidates);
+    find_candidates(state.tree, surface_position(state), tool, from, to, areas, candidates,
+                    orientation);
   } else {
     PackedKernel& kernel = *find_packed(state);
-    const double reach = tool.radius + kCandidateMargin + bound_lag(state);
-    const int found =
-        find_leaves_near_segment(state.tree, from, to, reach, kernel.broad_candidates);
-    const auto broad = std::span(kernel.broad_candidates).first(static_cast<std::size_t>(found));
+    const std::span<const int> broad =
+        list_broad({tool, orientation, from, to}, bound_lag(state), state.tree, kernel);
     read_corners(scene.bodies[body].tissue, broad, world.tick_count, kernel, state);
-    choose_candidates(state.tree, surface_position(state), tool, from, to, areas, broad,
-                      candidates);
+    choose_candidates(state.tree, surface_position(state), tool, from, to, areas, broad, candidates,
+                      orientation);
   }
   candidates.from = position;
   candidates.to = hand;

@@ -173,6 +173,11 @@ inline const ResponseKernel* find_response(const SoftState& body) noexcept {
   return std::get_if<ResponseKernel>(&internals(body).kernel);
 }
 
+/// Turns a tool of capsules as its hand is turned, or about its trocar; a ball has no directions.
+/// One that touches does not follow at once [contact: capsules].
+void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt,
+               ToolState& state) noexcept;
+
 /// [m] Of the tips of all instruments.
 double find_smallest_radius(const Scene& scene) noexcept;
 double find_largest_radius(const Scene& scene) noexcept;

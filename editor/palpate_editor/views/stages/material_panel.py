@@ -55,7 +55,13 @@ TISSUE = (
     "material.wall_thickness",
 )
 LINKS = tuple(constant.key for constant in CONSTANTS if constant.part == "model")
-TIP = ("tool.radius", "tool.stiffness", "tool.friction")
+TIP = (
+    "tool.radius",
+    "tool.length",
+    "tool.trocar_height",
+    "tool.stiffness",
+    "tool.friction",
+)
 HAND = (
     "hand.coupling",
     "hand.hold_stiffness",

@@ -114,7 +114,8 @@ class Trial(QObject):
         self._top = max(self._top, round_up(float(moved.max(initial=0.0))))
         self.view.move_surface(position)
         self.view.show_values(1e3 * moved, tr("displacement [mm]"), (0.0, 1e3 * self._top))
-        self.view.show_tool(frame.tool_position, self.scene.instruments[0].tool.radius)
+        tool, seen = self.scene.instruments[0].tool, frame.instruments[0]
+        self.view.show_instrument(tool, frame.tool_position, seen.tool_orientation)
         size = float(np.linalg.norm(frame.force))
         self._show_force(frame, size)
         share = frame.cost * self.scene.rate

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "palpate/sim/contact/find_candidates.h"
+#include "palpate/sim/contact/tool.h"
+
+namespace palpate {
+
+// The capsules of a tool as it is held: in the directions of the scene, about its position.
+
+/// The axis of a capsule off the tool's position [m], in the scene's directions.
+struct Axes {
+  Axes() = default;
+  Axes(const Tool& tool, const Quaternion& orientation) noexcept;
+
+  std::span<const Capsule> list() const noexcept {
+    return std::span(capsules).first(static_cast<std::size_t>(count));
+  }
+
+  std::array<Capsule, kMostCapsules> capsules;
+  int count = 0;  ///< 0 of a ball
+};
+
+/// What touches, as it is held.
+struct Shape {
+  const Tool& tool;
+  Axes axes;
+};
+
+/// [m] The point of the axes of a shape at p [m] that is nearest to another; of a ball p itself.
+Vec3 find_nearest_on_axes(const Axes& axes, const Vec3& p, const Vec3& point) noexcept;
+
+/// The contact of a shape at p [m] with a triangle: of the capsule whose axis is nearest to it.
+bool find_shape_contact(const Shape& shape, double rest_area, const Vec3& p, const Vec3& a,
+                        const Vec3& b, const Vec3& c, Contact& contact) noexcept;
+
+/// All that a part of a tool may come near to on a path.
+struct SweptPart {
+  Vec3 from = Vec3::Zero();  ///< [m] the ends of a segment
+  Vec3 to = Vec3::Zero();    ///< [m]
+  double radius = 0.0;       ///< [m] about it
+};
+
+/// What a tool sweeps that goes straight from one position to another: of a ball the path itself,
+/// of a capsule its axis halfway, with half of the path about it.
+struct Sweep {
+  Sweep(const Tool& tool, const Quaternion& orientation, const Vec3& tool_position,
+        const Vec3& hand_position) noexcept;
+
+  std::span<const SweptPart> list() const noexcept {
+    return std::span(parts).first(static_cast<std::size_t>(count));
+  }
+
+  std::array<SweptPart, kMostCapsules> parts;
+  int count = 0;
+};
+
+}  // namespace palpate

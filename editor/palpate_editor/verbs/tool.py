@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verb that gives an organ its instrument, and says what it costs: tool."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+
+from palpate.command.output import add_output
+from palpate.command.verb import Report, Verb, quantity
+from palpate.files.file_kind import ORGAN
+from palpate.files.refusal import Refusal
+from palpate.runs.costs import press_costs
+
+from palpate_editor.check import split_refusal
+from palpate_editor.compile import compile_organ
+from palpate_editor.document import Organ
+from palpate_editor.document.constants import find_constant
+from palpate_editor.document.files import write_organ
+from palpate_editor.document.idle import find_idle
+from palpate_editor.edits import Edit, SetConstant
+from palpate_editor.verbs.files import ReadFile, apply, open_any
+
+
+@dataclass(frozen=True)
+class Shape:
+    """The usual numbers of an instrument, as `meshes/published/tools` draws it."""
+
+    radius: float
+    """[m]"""
+    length: float
+    """[m]"""
+    friction: float
+    """[-] Smooth metal on wet serosa has 0.05 to 0.15 (core/CONTACT.md)."""
+
+
+SHAPES = {
+    "ball": Shape(3e-3, 0.0, 0.0),
+    "probe": Shape(2.5e-3, 0.02, 0.1),
+    "laparoscope": Shape(5e-3, 0.02, 0.1),
+}
+NUMBERS = ("radius", "length", "friction", "trocar_height")
+
+
+def add_tool(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, help=".organ, .palpate, or OBJ of `palpate import`")
+    parser.add_argument(
+        "shape", nargs="?", choices=tuple(SHAPES), help="what it is; what it was without one"
+    )
+    parser.add_argument("--radius", type=quantity("m"), help="of the tip and the shaft")
+    parser.add_argument("--length", type=quantity("m"), help="of the shaft that touches; 0: a ball")
+    parser.add_argument("--friction", type=float, help="Coulomb's coefficient; 0: it slides")
+    parser.add_argument(
+        "--trocar-height",
+        type=quantity("m"),
+        help="over the organ, where the shaft passes the abdominal wall; 0: the device turns it",
+    )
+    add_output(parser, "--out", "-o", writes=ORGAN, help=".organ to write; without one, nothing is")
+
+
+def list_edits(call: argparse.Namespace) -> list[tuple[str, Edit]]:
+    """What the call asks for, by its options: numbers count before those of the shape."""
+    shape = SHAPES.get(call.shape)
+    edits: list[tuple[str, Edit]] = []
+    for name in NUMBERS:
+        option, value = "--" + name.replace("_", "-"), getattr(call, name)
+        if value is None and shape is not None:
+            option, value = "SHAPE", getattr(shape, name, None)
+        if value is not None:
+            edits.append((option, SetConstant("tool", name, value)))
+    return edits
+
+
+def run_tool(call: argparse.Namespace) -> Report:
+    read, organ = ReadFile.of(call.file), open_any(call.file)
+    if organ.surface is None:
+        raise Refusal(call.file, "", "no surface", "an organ that has one")
+    for option, edit in list_edits(call):
+        organ = apply(edit, organ, call.file, option)
+    refuse_idle(call, organ)
+    try:
+        costs = press_costs(compile_organ(organ))
+    except ValueError as refused:
+        where, found, expected = split_refusal(str(refused))
+        raise Refusal(call.file, where, found, expected) from None
+    if call.out is not None:
+        read.check(call.out)
+        write_organ(call.out, organ)
+    return {
+        "file": str(call.file),
+        **{name: getattr(organ.tool, name) for name in NUMBERS},
+        "instrument_us": 1e6 * costs.instruments[0].median,
+        "contact_us": 1e6 * costs.pairs[0].median,
+        "tick_us": 1e6 * costs.tick.median,
+        "out": None if call.out is None else str(call.out),
+    }
+
+
+def refuse_idle(call: argparse.Namespace, organ: Organ) -> None:
+    """Refuses a number that has no effect on what touches."""
+    for name in NUMBERS:
+        constant = find_constant("tool", name)
+        if getattr(call, name) is None or constant is None:
+            continue
+        if (idle := find_idle(constant, organ)) is not None:
+            option = "--" + name.replace("_", "-")
+            found = f"{getattr(call, name):g}, which has no effect here: {idle.why}"
+            raise Refusal(call.file, option, found, "a length above 0, or none of it")
+
+
+def describe_tool(report: Report) -> str:
+    radius, length = 1e3 * report["radius"], 1e3 * report["length"]
+    what = f"a ball of {radius:g} mm"
+    if length > 0.0:
+        height = 1e3 * report["trocar_height"]
+        turned = f"by a trocar {height:g} mm over the organ" if height else "by the device"
+        what = f"a shaft of {radius:g} mm that touches on {length:g} mm, turned {turned}"
+    lines = [
+        f"{report['file']}: {what}, friction {report['friction']:g}",
+        f"of a tick of {report['tick_us']:.0f} us: {report['contact_us']:.0f} us of contact, "
+        f"{report['instrument_us']:.0f} us of hand and air (medians of a press, on this machine)",
+    ]
+    if report["out"]:
+        lines.append(f"wrote {report['out']}")
+    return "\n".join(lines)
+
+
+VERBS = [
+    Verb(
+        "tool",
+        "give an organ its instrument, and say what it costs in a tick",
+        "palpate tool spleen.organ probe --friction 0.1 -o probe.organ",
+        add_tool,
+        run_tool,
+        describe_tool,
+    )
+]

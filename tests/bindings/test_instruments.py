@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Instruments of capsules in Python: values, files, records, pictures."""
+
+import copy
+import json
+import pickle
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from palpate import scenario
+from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.files.refusal import Refusal
+from palpate.render import build_instrument, draw_picture, place_instrument
+from surfaces import MEMBRANE, ellipsoid
+
+MESHES = Path(__file__).resolve().parents[2] / "meshes"
+SCENARIOS = MESHES / "scenarios"
+
+
+def probe_scene(**fields) -> palpate.Scene:
+    scene = palpate.make_scene(
+        palpate.build_mass_spring(ellipsoid((0.03, 0.025, 0.02), 2), MEMBRANE, 50.0)
+    )
+    scene.instruments[0].tool = palpate.Tool(
+        radius=0.003,
+        capsules=[palpate.Capsule(to=(0.0, 0.0, 0.02))],
+    )
+    for name, value in fields.items():
+        setattr(scene.instruments[0], name, value)
+    return palpate.build_scene(scene)
+
+
+def test_an_instrument_is_a_value():
+    instrument = probe_scene(trocar=(0.0, 0.0, 0.1)).instruments[0]
+
+    for same in (copy.deepcopy(instrument), pickle.loads(pickle.dumps(instrument))):
+        assert [list(c.to) for c in same.tool.capsules] == [[0.0, 0.0, 0.02]]
+        assert same.trocar == pytest.approx([0.0, 0.0, 0.1])
+    assert "Capsule" in repr(instrument.tool)
+    instrument.trocar = None
+    assert instrument.trocar is None
+
+
+def test_a_file_keeps_capsules_and_trocar_to_the_bit_and_refuses_damaged_ones(tmp_path):
+    path = tmp_path / "probe.palpate"
+    scene = probe_scene(trocar=(0.01, 0.02, 0.13))
+    scenario.write(path, scenario.Scenario(scene=scene))
+
+    read = scenario.read(path).scene.instruments[0]
+
+    assert list(read.trocar) == [0.01, 0.02, 0.13]
+    assert [list(c.from_) + list(c.to) for c in read.tool.capsules] == [[0, 0, 0, 0, 0, 0.02]]
+    scene.instruments[0].tool.capsules = [palpate.Capsule(to=(0.0, 0.0, 0.7))]
+    with pytest.raises(ValueError, match=r"scene\.instruments\[0\]\.tool\.capsules: got 0\.7"):
+        scenario.write(path, scenario.Scenario(scene=scene))
+
+
+def test_a_ball_has_no_trocar():
+    scene = probe_scene()
+    scene.instruments[0].tool.capsules = []
+    scene.instruments[0].trocar = (0.0, 0.0, 0.1)
+
+    with pytest.raises(ValueError, match="none for a ball"):
+        palpate.build_scene(scene)
+
+
+def test_what_is_seen_of_an_instrument_goes_from_its_tip_along_its_shaft():
+    scene = probe_scene()
+    shape = build_instrument(scene.instruments[0].tool)
+    assert shape is not None and build_instrument(palpate.Tool()) is None
+    turned = place_instrument(shape, (0.01, 0.0, 0.05), (0.0, np.sqrt(0.5), 0.0, np.sqrt(0.5)))
+
+    # z became x
+    assert turned.vertices[:, 0].min() == pytest.approx(0.01 - 0.003, abs=1e-5)
+    assert turned.vertices[:, 0].max() > 0.2
+    assert np.abs(turned.vertices[:, 1]).max() == pytest.approx(0.003, abs=1e-5)
+    assert np.linalg.norm(turned.normals, axis=1) == pytest.approx(1.0, abs=1e-5)
+
+    x = np.asarray(palpate.surface_position(palpate.World(scene).bodies[0]))
+    faces = scene.bodies[0].tissue.triangles
+    options = {"tool": ((0.01, 0.0, 0.05), 0.003), "size": (320, 200), "supersample": 1}
+    ball = draw_picture(x, faces, **options)
+    drawn = draw_picture(x, faces, instrument=turned, **options)
+    assert (ball != drawn).any()
+
+
+def test_an_assessment_says_the_shape_of_its_tools():
+    organ = scenario.read(MESHES / "published" / "spleen.palpate")
+    path = SCENARIOS / "spleen_probe.json"
+    made = with_assessment(path, read_assessment(path), organ)
+
+    instrument = made.scene.instruments[0]
+    assert instrument.tool.radius == 0.0025 and instrument.tool.friction == 0.1
+    assert [list(c.to) for c in instrument.tool.capsules] == [[0, 0, 0.02]]
+    assert instrument.trocar is not None
+    # a scene with another tool than its assessment says is refused
+    wrong = json.loads(made.assessment)
+    wrong["tools"]["probe"]["radius_m"] = 0.004
+    other = scenario.Scenario(
+        scene=made.scene, assessment=json.dumps(wrong), assessment_arrays=made.assessment_arrays
+    )
+    with pytest.raises(ValueError, match="radius_m: got 0.004, expected 0.0025"):
+        scenario.draw_task(other)
+    wrong["tools"]["probe"]["length_m"] = 0.9
+    with pytest.raises(Refusal, match="tools.probe"):
+        with_assessment(path, wrong, organ)

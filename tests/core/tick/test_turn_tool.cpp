@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/tick/press_scene.h"
+#include "palpate/sim/tick/tick.h"
+#include "scenes/flicks.h"
+
+// How an instrument of capsules is turned [contact: trocar].
+
+using namespace palpate;
+using scenes::hand_at;
+
+namespace {
+
+const Vec3 kTrocar(0.02, -0.03, 0.20);
+
+Scene make_scene(bool with_trocar) {
+  Scene scene = testing::press_scene();
+  scene.instruments[0].tool.capsules = {{{0, 0, 0}, {0, 0, 0.02}}};
+  if (with_trocar) scene.instruments[0].trocar = kTrocar;
+  return build_scene(std::move(scene));
+}
+
+}  // namespace
+
+TEST_CASE("T7: the shaft passes the trocar, wherever the tip is and however the hand is turned") {
+  const Scene scene = make_scene(true);
+  World world(scene);
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 0.02 * i;
+    HapticSample sample = hand_at({0.04 * std::cos(angle), 0.04 * std::sin(angle), 0.05});
+    sample.orientation = Quaternion(Eigen::AngleAxisd(0.3 * angle, Vec3(1, 2, 3).normalized()));
+    const Vec3 tip = i == 0 ? sample.position : world.instruments[0].tool.position;
+    tick(scene, sample, 1e-3, world);
+    const Vec3 away = kTrocar - tip, axis = world.instruments[0].tool.orientation * Vec3::UnitZ();
+    REQUIRE(away.cross(axis).norm() < 1e-12 * away.norm());
+    REQUIRE(away.dot(axis) > 0.0);
+  }
+}
+
+TEST_CASE("about its shaft an instrument is turned by the hand") {
+  const Scene scene = make_scene(true);
+  World still(scene), turned(scene);
+  HapticSample sample = hand_at({0.0, 0.0, 0.05});
+  tick(scene, sample, 1e-3, still);
+  sample.orientation = Quaternion(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
+  tick(scene, sample, 1e-3, turned);
+  const Quaternion& before = still.instruments[0].tool.orientation;
+  const Quaternion& after = turned.instruments[0].tool.orientation;
+  CHECK(before.angularDistance(after) == doctest::Approx(0.7).epsilon(1e-9));
+}
+
+TEST_CASE("without a trocar the instrument is held as the device is, and a ball is never turned") {
+  HapticSample sample = hand_at({0.0, 0.0, 0.05});
+  sample.orientation = Quaternion(Eigen::AngleAxisd(0.4, Vec3::UnitX()));
+  const Scene scene = make_scene(false), ball = testing::press_scene();
+  World world(scene), other(ball);
+  tick(scene, sample, 1e-3, world);
+  tick(ball, sample, 1e-3, other);
+  CHECK(world.instruments[0].tool.orientation.angularDistance(sample.orientation) < 1e-12);
+  CHECK(other.instruments[0].tool.orientation.coeffs() == Quaternion::Identity().coeffs());
+}
+
+TEST_CASE("a tip at its trocar is turned no further") {
+  const Scene scene = make_scene(true);
+  World world(scene);
+  tick(scene, hand_at(kTrocar - Vec3(0, 0, 0.01)), 1e-3, world);
+  const Quaternion before = world.instruments[0].tool.orientation;
+  for (int i = 0; i < 20; ++i) {
+    tick(scene, hand_at(kTrocar + Vec3(1e-3 * std::sin(i), 1e-3 * std::cos(i), 0)), 1e-3, world);
+  }
+  CHECK(world.instruments[0].tool.position.isApprox(
+      kTrocar + Vec3(1e-3 * std::sin(19), 1e-3 * std::cos(19), 0)));
+  CHECK(before.angularDistance(world.instruments[0].tool.orientation) < 0.2);
+}
