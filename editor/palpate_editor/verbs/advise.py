@@ -163,7 +163,7 @@ def find_chart(call: argparse.Namespace, organ: Organ) -> Chart:
         raise AdviceRefusal(call.file, str(refused)) from None
 
 
-OFTEN = 10.0
+RARELY = 20.0
 """[s] From one line of progress to the next where nobody looks at a terminal."""
 
 
@@ -175,7 +175,7 @@ class Teller:
 
     def __call__(self, stage: str, share: float) -> None:
         now = time.monotonic()
-        if not sys.stderr.isatty() and now < self.said + OFTEN:
+        if not sys.stderr.isatty() and now < self.said + RARELY:
             return
         self.said = now
         print(f"{stage}: {share:.0%}", file=sys.stderr, flush=True)

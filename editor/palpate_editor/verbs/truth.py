@@ -30,8 +30,8 @@ from palpate_editor.truth.wanted import Path as Way
 from palpate_editor.verbs.files import open_any
 
 PATHS = {"press": Press, "pull": Pull, "drag": Drag}
-OFTEN = 2.0
-"""[s] between two lines of progress."""
+OFTEN, RARELY = 2.0, 20.0
+"""[s] between two lines of progress, on a terminal and elsewhere."""
 
 
 def add_truth(parser: argparse.ArgumentParser) -> None:
@@ -102,14 +102,14 @@ class TruthRefusal(Refusal):
 
 
 class Teller:
-    """Says on a terminal how far the work is."""
+    """Says on standard error how far the work is; into a file or a pipe less often."""
 
     def __init__(self) -> None:
         self.said = time.monotonic()
 
     def __call__(self, progress: Progress) -> None:
         now = time.monotonic()
-        if not sys.stderr.isatty() or now < self.said + OFTEN:
+        if now < self.said + (OFTEN if sys.stderr.isatty() else RARELY):
             return
         self.said = now
         left = "" if progress.left is None else f", at most {progress.left:.0f} s left"
