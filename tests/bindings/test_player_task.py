@@ -176,3 +176,48 @@ def test_the_line_that_it_is_no_medical_device_is_on_every_screen(
         window.show_board(board)
         assert window.over.notice.isVisible()
         assert not window.over.notice.geometry().intersects(board.geometry()), board
+
+
+def test_a_card_leads_to_its_window_and_back_with_the_attempt_on_it(
+    qtbot, short_task, database, tmp_path, monkeypatch, checkout
+):
+    from palpate.player.scenario_cards import ScenariosWindow, find_picture
+
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    (folder / "a.palpate").write_bytes(short_task.read_bytes())
+    (folder / "broken.palpate").write_bytes(b"nothing of the kind")
+    window = ScenariosWindow(folder)
+    qtbot.addWidget(window)
+    window.show()
+    card, broken = window.cards
+    assert not broken.play.isEnabled()
+    assert "30.0 s" in card.goal.text()
+    assert card.reviews.text() == "Reviewed by nobody yet"
+    assert window.notice.isVisible()
+    qtbot.waitUntil(lambda: not card.picture.pixmap().isNull(), timeout=PATIENCE)
+    assert find_picture(card.path).exists()
+
+    click(card.play)
+    trainee = window.window_of_play
+    qtbot.addWidget(trainee)
+    assert not window.isVisible()
+    click(trainee.over.who.new)
+    click(trainee.over.consent.agree)
+    trainee.play = Scripted(**vars(trainee.play))
+    trainee.attendance.play = trainee.play
+    click(trainee.over.start.start)
+    play_to_the_end(trainee, qtbot)
+    trainee.close()
+
+    assert window.isVisible()
+    assert "done" in card.last.text()
+    folder = checkout / "build" / "screenshots" / "trainee"
+    folder.mkdir(parents=True, exist_ok=True)
+    window.grab().save(str(folder / "cards.png"))
+    click(card.play)  # who returns: a card, and Start
+    qtbot.addWidget(window.window_of_play)
+    assert window.window_of_play.over.board() is window.window_of_play.over.start
+    click(window.window_of_play.over.start.start)
+    assert window.window_of_play.phase is Phase.running
+    window.window_of_play.close()

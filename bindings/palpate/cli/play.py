@@ -24,7 +24,7 @@ MUCH = 0.01
 
 
 def add_play(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
+    parser.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}, or a folder")
     parser.add_argument(
         "--device",
         default=POINTER,
@@ -76,6 +76,8 @@ def run_play(call: argparse.Namespace) -> Report:
         )
     if not 0 <= call.seed < 2**63:
         raise WrongCall(f"--seed: got {call.seed}, expected 0 or more")
+    if call.file.is_dir():
+        return show_folder(call)
     play = open_play(call.file, call.device, call.record, call.duration, call.level, call.seed)
     play.language = call.language or ""
     if (call.person or call.guest) and call.record is not None:
@@ -95,6 +97,18 @@ def run_play(call: argparse.Namespace) -> Report:
         return play_in_window(play, language=call.language, theme=call.theme)
     keeper = open_keeper(play, call.person or "")
     return play_in_window(play, language=call.language, theme=call.theme, keeper=keeper)
+
+
+def show_folder(call: argparse.Namespace) -> Report:
+    """The cards of a folder's scenarios."""
+    if call.headless or call.person or call.guest or call.record is not None:
+        raise WrongCall(f"{call.file} is a folder: its scenarios are chosen in a window")
+    try:
+        from palpate.player.start import show_scenarios
+    except ImportError as problem:
+        raise RuntimeError(f"the window needs PySide6 ({problem}): {EXTRA}") from None
+    require_display("--headless plays one of its scenarios")
+    return show_scenarios(call.file, call.language, call.theme)
 
 
 def say_endless(scene: palpate.Scene) -> str:

@@ -96,26 +96,46 @@ class DebriefBoard(Board):
         self.kept.setText(told.kept)
 
 
-def say_goal(goal: Report) -> str:
-    """Value and bound, and whether it is met."""
+def find_words(metric: str) -> tuple[str, str, int]:
+    """Name, unit and decimals."""
     names = {
         "time": (translate("Player", "Time"), "s", 1),
         "errors": (translate("Player", "Errors"), "", 0),
         "warnings": (translate("Player", "Warnings"), "", 0),
         "peak_force": (translate("Player", "Peak force"), "N", 2),
     }
-    name, unit, decimals = names[goal["metric"]]
+    return names[metric]
 
-    def show(value: float) -> str:
-        return f"{format_number(float(value), decimals)} {unit}".strip()
 
-    mark = "\N{CHECK MARK}" if goal["met"] else "\N{MULTIPLICATION X}"
-    text = f"{mark} {name}: {show(goal['value'])}"
+def say_value(value: object, unit: str, decimals: int) -> str:
+    """A bound may be a parameter, which has a value in an attempt alone."""
+    if isinstance(value, str):
+        return value
+    return f"{format_number(float(value), decimals)} {unit}".strip()  # type: ignore[arg-type]
+
+
+def say_bound(goal: Report) -> str:
+    _, unit, decimals = find_words(goal["metric"])
+    text = ""
     if "at_most" in goal:
-        text += translate("Player", ", goal: at most %1").replace("%1", show(goal["at_most"]))
+        most = say_value(goal["at_most"], unit, decimals)
+        text += translate("Player", ", goal: at most %1").replace("%1", most)
     if "at_least" in goal:
-        text += translate("Player", ", goal: at least %1").replace("%1", show(goal["at_least"]))
+        least = say_value(goal["at_least"], unit, decimals)
+        text += translate("Player", ", goal: at least %1").replace("%1", least)
     return text
+
+
+def say_goal_bound(goal: Report) -> str:
+    """Before an attempt: no value yet."""
+    return find_words(goal["metric"])[0] + say_bound(goal)
+
+
+def say_goal(goal: Report) -> str:
+    """Value and bound, and whether it is met."""
+    name, unit, decimals = find_words(goal["metric"])
+    mark = "\N{CHECK MARK}" if goal["met"] else "\N{MULTIPLICATION X}"
+    return f"{mark} {name}: {say_value(goal['value'], unit, decimals)}{say_bound(goal)}"
 
 
 def say_moment(moment: Moment, limits: Sequence[str]) -> str:

@@ -6,11 +6,13 @@ from __future__ import annotations
 import signal
 import socket
 import sys
+from pathlib import Path
 from types import FrameType, TracebackType
 
 from PySide6.QtCore import QSocketNotifier
 
 from palpate.command.verb import Report
+from palpate.player.scenario_cards import ScenariosWindow
 from palpate.player.trainee_window import TraineeWindow
 from palpate.runs.kept_play import Keeper
 from palpate.runs.play import Play
@@ -33,6 +35,15 @@ def play_in_window(
     with Watch(window):
         app.exec()
     return window.report()
+
+
+def show_scenarios(folder: Path, language: str | None = None, theme: str = "dark") -> Report:
+    """The scenarios of a folder, until their window is closed."""
+    app, code = open_application(language)
+    window = ScenariosWindow(folder, theme, code)
+    window.show()
+    app.exec()
+    return {"scenario": str(folder), "title": "", "task": "", "records": [], "record": None}
 
 
 class Watch:

@@ -102,6 +102,10 @@ def build_style(name: str, letter: float) -> str:
     QLineEdit {{ color: {text}; background: {raised}; border: 1px solid {accent};
         border-radius: 10px; padding: {0.5 * letter:.0f}px {0.8 * letter:.0f}px;
         font-size: {1.2 * letter:.0f}px; }}
+    QComboBox {{ color: {text}; background: {raised}; border: 1px solid {as_css(theme.text, 0.2)};
+        border-radius: 8px; padding: {0.4 * letter:.0f}px {0.7 * letter:.0f}px;
+        font-size: {letter:.0f}px; }}
+    QComboBox QAbstractItemView {{ color: {text}; background: {as_css(theme.panel)}; }}
     QPushButton {{ color: {text}; background: {raised};
         border: 1px solid {as_css(theme.text, 0.08)}; border-radius: 10px;
         padding: {0.55 * letter:.0f}px {1.1 * letter:.0f}px;

@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 
 import numpy as np
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -51,6 +51,8 @@ class TraineeWindow(QWidget):
     opens the menu, Enter takes what a board offers, and C clears the fault of a device that has cut
     its motors.
     """
+
+    closed = Signal()
 
     def __init__(self, play: Play, theme: str = "dark", language: str = translation.SOURCE):
         super().__init__()
@@ -363,3 +365,4 @@ class TraineeWindow(QWidget):
     def closeEvent(self, event: QCloseEvent) -> None:
         self._finish()
         super().closeEvent(event)
+        self.closed.emit()

@@ -73,6 +73,8 @@ class Play:
     """How far the task of the run that goes on is."""
     hand: str = ""
     """Which simulated hand plays; none of them where this is empty."""
+    samples: list[palpate.HapticSample] = field(default_factory=list)
+    """Of that hand, once it has played."""
 
     def build_hand(self) -> palpate.HapticDevice | None:
         """What moves the tip or the stylus; None where that is a real hand."""
@@ -80,7 +82,10 @@ class Play:
             return None
         if self.hand:
             assert self.drawn is not None
-            return palpate.ReplayDevice(attempt(self.scenario.scene, self.drawn, self.hand).samples)
+            if not self.samples:  # seconds of work, which a restart does not do again
+                played = attempt(self.scenario.scene, self.drawn, self.hand)
+                self.samples = played.samples
+            return palpate.ReplayDevice(self.samples)
         if self.frames is not None:
             return palpate.ScriptedDevice(self.frames)
         return palpate.SurfacePointer(self.scenario.scene)

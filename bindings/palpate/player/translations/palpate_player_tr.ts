@@ -4,6 +4,34 @@
 <context>
     <name>Player</name>
     <message>
+        <source>Play</source>
+        <translation>Oyna</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Düzey</translation>
+    </message>
+    <message>
+        <source>To feel: nothing is judged.</source>
+        <translation>Hissetmek için: hiçbir şey değerlendirilmez.</translation>
+    </message>
+    <message>
+        <source>Reviewed by nobody yet</source>
+        <translation>Henüz kimse incelemedi</translation>
+    </message>
+    <message>
+        <source>Reviewed: %1</source>
+        <translation>İnceleyen: %1</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Senaryolar</translation>
+    </message>
+    <message>
+        <source>No published scenarios in %1</source>
+        <translation>%1 içinde yayımlanmış senaryo yok</translation>
+    </message>
+    <message>
         <source>%1 s beyond</source>
         <translation>%1 s aşıldı</translation>
     </message>
