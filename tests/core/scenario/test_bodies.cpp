@@ -131,7 +131,8 @@ TEST_CASE("a solid whose facets are felt keeps that, and a file of before has no
   made.scene.bodies[0].tissue.fixed = {0, 1, 2};
   made.scene.bodies[0].tissue.prisms = {};
   made.scene.bodies[0].contact_modulus = 6270.0;
-  const Scenario before = {.scene = build_scene(made.scene)};
+  Scenario before;
+  before.scene = build_scene(made.scene);
   made.scene.bodies[0].contact_facets = true;
   made.scene = build_scene(made.scene);
 
