@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stage 6: what the trainee reads, what still prevents publishing, and the published file."""
+"""Stage 7: what the trainee reads, what still prevents publishing, and the published file."""
 
 from __future__ import annotations
 
