@@ -103,6 +103,7 @@ def test_a_seed_draws_the_place_and_the_scene_has_the_constants_of_that_place_al
         )
 
 
+@pytest.mark.landing
 def test_a_file_keeps_the_constants_and_refuses_them_damaged(lumps, tmp_path):
     path = tmp_path / "lumps.palpate"
     scenario.write(path, lumps)
@@ -127,6 +128,7 @@ def test_a_file_keeps_the_constants_and_refuses_them_damaged(lumps, tmp_path):
             scenario.unpack(other, "x.palpate")
 
 
+@pytest.mark.landing
 def test_an_inclusion_that_nobody_draws_or_that_is_not_there_is_refused():
     assessment, organ = spleen_with_lumps()
     for change in (

@@ -76,7 +76,7 @@ def play_to_the_end(window: TraineeWindow, qtbot) -> None:
     qtbot.waitUntil(lambda: window.phase is Phase.over, timeout=PATIENCE)
 
 
-@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize("language", ["en", pytest.param("tr", marks=pytest.mark.landing)])
 def test_a_walk_through_all_screens_keeps_the_attempt(
     open_window, qtbot, short_task, database, language, checkout
 ):
@@ -144,6 +144,7 @@ def test_who_comes_back_needs_a_code_and_two_clicks(open_window, qtbot, short_ta
     assert row["ended"] is not None
 
 
+@pytest.mark.landing
 def test_practice_keeps_nothing_and_a_guest_can_be_linked_to_nobody(
     open_window, qtbot, short_task, database
 ):
@@ -178,6 +179,7 @@ def test_the_line_that_it_is_no_medical_device_is_on_every_screen(
         assert not window.over.notice.geometry().intersects(board.geometry()), board
 
 
+@pytest.mark.landing
 def test_a_card_leads_to_its_window_and_back_with_the_attempt_on_it(
     qtbot, short_task, database, tmp_path, monkeypatch, checkout
 ):
