@@ -4,6 +4,7 @@
 import copy
 import json
 import pickle
+import runpy
 from pathlib import Path
 
 import numpy as np
@@ -106,3 +107,9 @@ def test_an_assessment_says_the_shape_of_its_tools():
     wrong["tools"]["probe"]["length_m"] = 0.9
     with pytest.raises(Refusal, match="tools.probe"):
         with_assessment(path, wrong, organ)
+
+
+def test_the_example_of_two_instruments_holds():
+    program = MESHES.parent / "tests" / "examples" / "two_instruments" / "two_instruments.py"
+
+    assert runpy.run_path(str(program))["main"]() == 0
