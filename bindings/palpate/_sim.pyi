@@ -2285,8 +2285,8 @@ CANDIDATE_MARGIN: float
 
 class Candidates:
     """Triangles the tool may touch during one tick, ascending, with the area of each [m²]."""
-    def __init__(self, capacity: int = ...) -> None:
-        """Room for so many triangles."""
+    def __init__(self, capacity: int = ..., capsules: int = ...) -> None:
+        """Room for so many triangles, for each of the capsules of a tool."""
     @property
     def triangles(self) -> NDArray[np.int32]:
         """All there is room for, shape (capacity,); the first count of them hold; a view,
@@ -2325,6 +2325,7 @@ def find_candidates(
     hand_position: ArrayLike,
     rest_areas: ArrayLike,
     candidates: Candidates,
+    orientation: ArrayLike = ...,
 ) -> None:
     """Finds every triangle within radius + CANDIDATE_MARGIN of the path from the tool's last
     position to where the hand is now. rest_areas [m²] per triangle of the tissue.
@@ -3293,8 +3294,13 @@ def place_tool(
         radius: [m]
     """
 
+@overload
 def has_room(tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, radius: float) -> bool:
-    """Whether place_tool would put a tool there.
+    """has_room(*args, **kwargs)
+
+    Whether place_tool would put a tool there.
+
+    The same for a tool of any shape that is held so.
 
     Args:
         x: [m] shape (n, 3), positions
@@ -3302,6 +3308,10 @@ def has_room(tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, radius: flo
         radius: [m]
     """
 
+@overload
+def has_room(
+    tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, tool: Tool, orientation: ArrayLike
+) -> bool: ...
 def compute_winding_number(triangles: ArrayLike, x: ArrayLike, p: ArrayLike) -> float:
     """[-] How often the surface goes round p: 1 inside of a closed surface, 0 outside, and for
     an open one the share of all directions from p that it covers.

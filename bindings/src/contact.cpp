@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/contact/contact_law.h"
@@ -261,8 +263,12 @@ void bind_candidates(py::module_& m) {
   py::class_<Candidates> candidates(
       m, "Candidates",
       "Triangles the tool may touch during one tick, ascending, with the area of each [m²].");
-  candidates.def(py::init([](int capacity) { return Candidates(to_count(capacity, "capacity")); }),
-                 "capacity"_a = 0, "Room for so many triangles.");
+  candidates.def(py::init([](int capacity, int capsules) {
+                   return Candidates(to_count(capacity, "capacity"),
+                                     to_count(capsules, "capsules"));
+                 }),
+                 "capacity"_a = 0, "capsules"_a = 0,
+                 "Room for so many triangles, for each of the capsules of a tool.");
   def_table(
       candidates, "triangles", &Candidates::triangles,
       "All there is room for, shape (capacity,); the first count of them hold; a view, read-only.");
@@ -277,19 +283,23 @@ void bind_candidates(py::module_& m) {
   m.def(
       "find_candidates",
       [](const AabbTree& tree, const Numbers& x, const Tool& tool, const Vec3& tool_position,
-         const Vec3& hand_position, const Numbers& rest_areas, Candidates& found) {
+         const Vec3& hand_position, const Numbers& rest_areas, Candidates& found,
+         const Eigen::Vector4d& xyzw) {
         const auto xs = points(x, "x");
         require_fit(tree, xs);
         const auto areas = numbers(rest_areas, "rest_areas");
         require_count("rest_areas", areas.size(), tree.triangles().size());
-        if (found.triangles.size() < tree.triangles().size()) {
+        const std::size_t all =
+            tree.triangles().size() * std::max<std::size_t>(1, tool.capsules.size());
+        if (found.triangles.size() < all) {
           refuse("candidates", "room for " + std::to_string(found.triangles.size()),
-                 "for every triangle, " + std::to_string(tree.triangles().size()));
+                 "for every triangle and capsule, " + std::to_string(all));
         }
-        find_candidates(tree, xs, tool, tool_position, hand_position, areas, found);
+        find_candidates(tree, xs, tool, tool_position, hand_position, areas, found,
+                        Quaternion(xyzw[3], xyzw[0], xyzw[1], xyzw[2]));
       },
       "tree"_a, "x"_a, "tool"_a, "tool_position"_a, "hand_position"_a, "rest_areas"_a,
-      "candidates"_a,
+      "candidates"_a, "orientation"_a = Eigen::Vector4d(0.0, 0.0, 0.0, 1.0),
       "Finds every triangle within radius + CANDIDATE_MARGIN of the path from the tool's last "
       "position to where the hand is now. rest_areas [m²] per triangle of the tissue.");
 }

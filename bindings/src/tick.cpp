@@ -151,6 +151,16 @@ void bind_tick_functions(py::module_& m) {
       },
       "tree"_a, "x"_a, "hand_position"_a, "radius"_a, "Whether place_tool would put a tool there.");
   m.def(
+      "has_room",
+      [](const AabbTree& tree, const Numbers& x, const Vec3& hand_position, const Tool& tool,
+         const Eigen::Vector4d& orientation) {
+        const auto xs = points(x, "x");
+        require_fit(tree, xs);
+        return has_room(tree, xs, hand_position, tool, to_quaternion(orientation));
+      },
+      "tree"_a, "x"_a, "hand_position"_a, "tool"_a, "orientation"_a,
+      "The same for a tool of any shape that is held so.");
+  m.def(
       "compute_winding_number",
       [](const Integers& triangles, const Numbers& x, const Vec3& p) {
         const auto rows = copy_index_rows<3>(triangles, "triangles");
