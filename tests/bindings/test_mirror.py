@@ -30,6 +30,8 @@ NOT_MIRRORED = {
     "SoftState.SoftState": "a World makes those of its scene",
     "tick(commands)": "what C++ writes into its argument, Python is given back",
     "NearContacts": "inside of balance_tool with a near field",
+    "Grip": "inside of balance_tool with a near field",
+    "NearField.ties_holds": "SoftBody.tied_holds says so",
     "NearMemory": "inside of balance_tool with a near field",
     "Candidates.near": "inside of balance_tool with a near field",
     "ResponseState": "inside of World; Python reads SoftState.tissue",
