@@ -2335,6 +2335,7 @@ def find_candidates(
         tool_position: [m] shape (3,)
         hand_position: [m] shape (3,)
         rest_areas: [m²] shape (t,), per triangle
+        orientation: [-] shape (4,), of the tool's frame: unit quaternion (x, y, z, w)
     """
 
 def balance_tool(
@@ -3008,9 +3009,9 @@ class Instrument:
     """[N/m] between tool and patch while attached."""
     @property
     def trocar(self) -> NDArray[np.float64] | None:
-        """[m] where the shaft, which goes along the tool's z to the hand, passes the abdominal
-        wall: z points there from the tool's position, and only the roll is the device's.
-        None: the device turns the tool. A copy.
+        """[m] shape (3,): where the shaft, which goes along the tool's z to the hand, passes
+        the abdominal wall: z points there from the tool's position, and only the roll is the
+        device's. None: the device turns the tool. A copy.
         """
     @trocar.setter
     def trocar(self, value: ArrayLike | None) -> None: ...
@@ -3306,6 +3307,7 @@ def has_room(tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, radius: flo
         x: [m] shape (n, 3), positions
         hand_position: [m] shape (3,)
         radius: [m]
+        orientation: [-] shape (4,), of the tool's frame: unit quaternion (x, y, z, w)
     """
 
 @overload

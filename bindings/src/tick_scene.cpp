@@ -205,9 +205,9 @@ void bind_instrument(py::module_& m) {
       .def_property(
           "trocar", [](const Instrument& self) { return self.trocar; },
           [](Instrument& self, const std::optional<Vec3>& trocar) { self.trocar = trocar; },
-          "[m] where the shaft, which goes along the tool's z to the hand, passes the abdominal "
-          "wall: z points there from the tool's position, and only the roll is the device's. None: "
-          "the device turns the tool. A copy.");
+          "[m] shape (3,): where the shaft, which goes along the tool's z to the hand, passes the "
+          "abdominal wall: z points there from the tool's position, and only the roll is the "
+          "device's. None: the device turns the tool. A copy.");
   def_value(instrument, &Instrument::tool, &Instrument::coupling, &Instrument::hold_stiffness,
             &Instrument::trocar);
   def_repr(instrument, {"tool", "coupling", "hold_stiffness", "trocar"});

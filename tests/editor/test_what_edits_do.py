@@ -33,7 +33,7 @@ COARSE = surface_of(50)
 
 def test_every_number_of_the_table_can_be_set_and_is_refused_beyond_its_range():
     for constant in CONSTANTS:
-        allowed = constant.least + (3.0 if constant.whole else 0.25)
+        allowed = constant.least + (3.0 if constant.whole else min(0.25, 0.5 * constant.most))
         allowed = allowed if np.isfinite(allowed) else -3.0
         after = edits.SetConstant(constant.part, constant.field, allowed)(SPLEEN)
         assert getattr(getattr(after, constant.part), constant.field) == allowed

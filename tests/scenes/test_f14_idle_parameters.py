@@ -50,6 +50,8 @@ def describe(scene: palpate.Scene) -> list[object]:
         tissue.mass, tissue.home, tissue.pressure, tissue.drag, tissue.maxwell.ratio,
         tissue.maxwell.time, body.substeps, body.force_error, body.contact_modulus,
         instrument.tool.radius, instrument.tool.stiffness, instrument.tool.friction,
+        [capsule.to for capsule in instrument.tool.capsules],
+        () if instrument.trocar is None else instrument.trocar,
         instrument.coupling.stiffness, instrument.coupling.force_max, instrument.hold_stiffness,
         scene.rate, scene.exchange_rate,
     )]  # fmt: skip
@@ -59,7 +61,7 @@ def describe(scene: palpate.Scene) -> list[object]:
 def nudge(constant: Constant, value: float | None) -> float:
     if constant.whole:
         return int(value or 0) + 40
-    for other in (1.3 * (value or 0.0), 0.7 * (value or 0.0), 0.3):
+    for other in (1.3 * (value or 0.0), 0.7 * (value or 0.0), 0.3, 0.5 * constant.most):
         if other != value and constant.allows(other):
             return other
     raise AssertionError(constant.key)

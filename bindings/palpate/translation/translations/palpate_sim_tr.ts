@@ -2971,5 +2971,149 @@
         <source>whole numbers of %1</source>
         <translation>%1 türünden tam sayılar</translation>
     </message>
+    <message>
+        <source>%1, as the scene has</source>
+        <translation>sahnede olduğu gibi %1</translation>
+    </message>
+    <message>
+        <source>%1, that of the instrument</source>
+        <translation>aletinki olan %1</translation>
+    </message>
+    <message>
+        <source>--person or --guest: %1 has no task that is judged</source>
+        <translation>--person ya da --guest: %1 içinde değerlendirilen bir görev yok</translation>
+    </message>
+    <message>
+        <source>--person: has not agreed to be recorded; `palpate records join` asks</source>
+        <translation>--person: kaydedilmeyi kabul etmedi; `palpate records join` bunu sorar</translation>
+    </message>
+    <message>
+        <source>0 for an instrument of capsules: between two exchanges a ball is felt</source>
+        <translation>kapsüllerden oluşan bir alet için 0: iki alışveriş arasında bir küre hissedilir</translation>
+    </message>
+    <message>
+        <source>0 for an instrument of capsules: how wrong sleep makes a force is known of balls</source>
+        <translation>kapsüllerden oluşan bir alet için 0: uykunun kuvveti ne kadar saptırdığı yalnızca küreler için bilinir</translation>
+    </message>
+    <message>
+        <source>0, the hard law, for an instrument of capsules: the near field of a wall is a ball's</source>
+        <translation>kapsüllerden oluşan bir alet için 0, yani sert yasa: bir duvarın yakın alanı bir küreninkidir</translation>
+    </message>
+    <message>
+        <source>0, the hard law, for an instrument of several capsules: the near field is of one</source>
+        <translation>birkaç kapsülden oluşan bir alet için 0, yani sert yasa: yakın alan tek bir kapsülünkidir</translation>
+    </message>
+    <message>
+        <source>2.0: glTF 1 is read by hardly any program; save it as glTF 2.0 or OBJ</source>
+        <translation>2.0: glTF 1’i neredeyse hiçbir program okumaz; glTF 2.0 ya da OBJ olarak kaydedin</translation>
+    </message>
+    <message>
+        <source>a code of `palpate records join`</source>
+        <translation>`palpate records join` komutunun verdiği bir kod</translation>
+    </message>
+    <message>
+        <source>a database of records, or a new name</source>
+        <translation>bir kayıt veritabanı ya da yeni bir ad</translation>
+    </message>
+    <message>
+        <source>a positive radius</source>
+        <translation>pozitif bir yarıçap</translation>
+    </message>
+    <message>
+        <source>a surface: palpate segment cuts one out of a volume</source>
+        <translation>bir yüzey: palpate segment bir hacimden yüzey çıkarır</translation>
+    </message>
+    <message>
+        <source>a surface: palpate segment cuts one out of the volume once it is saved as .nrrd, .mha or .vtk</source>
+        <translation>bir yüzey: hacim .nrrd, .mha ya da .vtk olarak kaydedilince palpate segment ondan yüzey çıkarır</translation>
+    </message>
+    <message>
+        <source>a task of another scenario</source>
+        <translation>başka bir senaryonun görevi</translation>
+    </message>
+    <message>
+        <source>a tool that can touch this organ</source>
+        <translation>bu organa dokunabilen bir alet</translation>
+    </message>
+    <message>
+        <source>a volume of voxels</source>
+        <translation>voksellerden oluşan bir hacim</translation>
+    </message>
+    <message>
+        <source>an array of no constant of tissue</source>
+        <translation>dokunun hiçbir sabitine ait olmayan bir dizi</translation>
+    </message>
+    <message>
+        <source>an object that says palpate_scenario</source>
+        <translation>palpate_scenario diyen bir nesne</translation>
+    </message>
+    <message>
+        <source>another kind of file</source>
+        <translation>başka türden bir dosya</translation>
+    </message>
+    <message>
+        <source>at most %1; a newer program made it</source>
+        <translation>en çok %1; daha yeni bir programla yapılmış</translation>
+    </message>
+    <message>
+        <source>constants within the ranges of a scene</source>
+        <translation>bir sahnenin aralıkları içinde kalan sabitler</translation>
+    </message>
+    <message>
+        <source>ends within 0.5 m of the tool's position</source>
+        <translation>aletin konumundan en çok 0,5 m uzakta olan uçlar</translation>
+    </message>
+    <message>
+        <source>false for an instrument of capsules: how curved facets are is felt by balls</source>
+        <translation>kapsüllerden oluşan bir alet için false: yüzlerin ne kadar eğri olduğunu küreler hisseder</translation>
+    </message>
+    <message>
+        <source>false for an instrument of capsules: what is tied is the disc under a ball</source>
+        <translation>kapsüllerden oluşan bir alet için false: bağlanan, bir kürenin altındaki disktir</translation>
+    </message>
+    <message>
+        <source>false: under the hard law holds are fastened to vertices</source>
+        <translation>false: sert yasada tutuşlar köşelere bağlanır</translation>
+    </message>
+    <message>
+        <source>more than 0</source>
+        <translation>0'dan büyük</translation>
+    </message>
+    <message>
+        <source>no arrays</source>
+        <translation>dizi yok</translation>
+    </message>
+    <message>
+        <source>none for a ball: it has no shaft that would go through</source>
+        <translation>küre için hiç: trokardan geçecek bir sapı yoktur</translation>
+    </message>
+    <message>
+        <source>one of this</source>
+        <translation>bu senaryonun bir görevi</translation>
+    </message>
+    <message>
+        <source>that of the scene's table</source>
+        <translation>sahnedeki tablonunki</translation>
+    </message>
+    <message>
+        <source>the constants of the inclusion, which `palpate scenario publish` puts there</source>
+        <translation>`palpate scenario publish` komutunun oraya koyduğu, kitlenin sabitleri</translation>
+    </message>
+    <message>
+        <source>the path of a file on this machine</source>
+        <translation>bu makinedeki bir dosyanın yolu</translation>
+    </message>
+    <message>
+        <source>the place whose inclusion an attempt has</source>
+        <translation>denemede kitlesi bulunan yer</translation>
+    </message>
+    <message>
+        <source>version %1</source>
+        <translation>%1 sürümü</translation>
+    </message>
+    <message>
+        <source>who reviewed it, and as what</source>
+        <translation>kimin, hangi sıfatla incelediği</translation>
+    </message>
 </context>
 </TS>
