@@ -39,7 +39,7 @@ def run_in_forks(
         [sys.executable, __file__],
         input=json.dumps(order),
         capture_output=True,
-        text=True,
+        encoding="utf-8",  # whatever a window in this process has made of the locale
         cwd=folder,
         env=os.environ | alone,
     )
