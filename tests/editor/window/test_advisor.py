@@ -11,7 +11,9 @@ import pytest
 from charts_of import make_chart
 from hands import action, child, click
 from palpate.study.advice import Targets
-from palpate_editor.advise import advise_organ
+from palpate.study.scene_chart import Chart
+from palpate_editor.advise import advise_organ, compile_choice
+from palpate_editor.document import Organ
 from palpate_editor.document.files import write_organ
 from patience import settle
 from PySide6.QtWidgets import QLabel
@@ -36,9 +38,18 @@ def desk(qtbot, window, tmp_path):
     return window
 
 
+def make_filled_chart(organ: Organ) -> Chart:
+    """With as many particles in its own row as the organ has, by which a chart of another is known."""
+    chart = make_chart(organ)
+    own = chart.rows[0]
+    count = len(compile_choice(organ, own.configuration).bodies[0].tissue.mass)
+    own = replace(own, counts=replace(own.counts, particles=count))
+    return replace(chart, rows=(own, *chart.rows[1:]))
+
+
 def test_a_choice_is_shown_in_words_and_with_a_ring_and_applied_by_its_button(qtbot, desk):
     organ = desk.session.organ
-    chart = make_chart(organ)
+    chart = make_filled_chart(organ)
     advised = advise_organ(organ, chart, Targets(0.2, 0.1, 1000.0), scored=False)
     number = advised.advice.choice.row.number
     desk.advisor.use_chart(chart)
