@@ -39,7 +39,7 @@ def desk(qtbot, window, tmp_path):
 
 
 def make_filled_chart(organ: Organ) -> Chart:
-    """With as many particles in its own row as the organ has, by which a chart of another is known."""
+    """Its own row has as many particles as the organ: by them a chart of another is known."""
     chart = make_chart(organ)
     own = chart.rows[0]
     count = len(compile_choice(organ, own.configuration).bodies[0].tissue.mass)
