@@ -177,7 +177,7 @@ def test_on_640_by_360_pixels_every_control_is_reached_by_scrolling(opened, lang
 
     assert free == [640, 360]
     assert missed == []
-    assert counts["welcome"] > 8 and counts["stages"] == 6 and counts["tools"] >= 4
+    assert counts["welcome"] > 8 and counts["stages"] == 7 and counts["tools"] >= 4
     assert counts["dialogs"] == 3
     assert all(counts[stage] > 3 for stage in ("import", "material", "test", "publish"))
     assert max(width for width, _ in sizes) <= 640 and max(high for _, high in sizes) <= 360
