@@ -73,7 +73,7 @@ def test_no_change_changes_what_it_began_with():
     assert before == kept
 
 
-def test_a_sentence_follows_its_step_until_somebody_writes_another():
+def test_a_default_sentence_follows_its_step_until_the_author_replaces_it():
     new = author.change_step(made(), "hold", {"force_N": [0.2, 0.35]})
     assert new["texts"]["en"]["step-hold"] == "Press and hold: middle, 0.2 to 0.35 N, for 2 s"
     assert new["texts"]["tr"]["step-hold"].endswith("0,2 ile 0,35 N arası, 2 s boyunca")

@@ -285,7 +285,7 @@ def write_texts(made: Json, key: str, say: Any, row: Json) -> Json:
 
 
 def is_written(assessment: Json, key: str, say: Any, row: Json) -> bool:
-    """Whether somebody has written another sentence than ours."""
+    """Whether the author has replaced the default sentence."""
     texts = assessment["texts"]
     return any(texts.get(code, {}).get(key, say(row, code)) != say(row, code) for code in LANGUAGES)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a new step or limit says until somebody writes something better, in English and Turkish."""
+"""What a new step or limit says until its author replaces it, in English and Turkish."""
 
 from __future__ import annotations
 
