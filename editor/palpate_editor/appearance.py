@@ -6,13 +6,15 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cache
+from typing import TypeVar
 
 from palpate.scene.scene_parts import AppearancePart
 from palpate_meshes.catalogue import read_tissues
 
+Named = TypeVar("Named")
 Colour = tuple[float, ...]
 """sRGB, 0 to 1."""
 
@@ -93,17 +95,26 @@ def strip_accents(text: str) -> str:
     return "".join(letter for letter in text if not unicodedata.combining(letter))
 
 
-def find_named_style(name: str) -> str | None:
-    """The style whose longest word is in a name: of kidney stone and kidney, the stone."""
-    folded = fold(name)
+def find_longest_word(
+    words: Iterable[tuple[str, Named]], is_in: Callable[[str], bool]
+) -> Named | None:
+    """What the longest of the folded words stands for that `is_in` finds in a name: of kidney stone
+    and kidney, the stone. None where there is none; of equals, the first."""
     best, length = None, 0
-    for style in read_styles().values():
-        for word in style.names:
-            letters = len(word) - 1
-            found = word in folded or (letters >= SHORTEST and word[1:] in folded)
-            if found and letters > length:
-                best, length = style.name, letters
+    for word, named in words:
+        if len(word) > length and is_in(word):
+            best, length = named, len(word)
     return best
+
+
+def find_named_style(name: str) -> str | None:
+    """The style of which a name has a word; long ones are found inside others too."""
+    folded = fold(name)
+    words = ((word, style.name) for style in read_styles().values() for word in style.names)
+    return find_longest_word(
+        words,
+        lambda word: word in folded or (len(word) > SHORTEST and word[1:] in folded),
+    )
 
 
 def choose_appearance(name: str, parts: Iterable[str] = ()) -> AppearancePart:

@@ -265,16 +265,14 @@ def search(
 
 
 def find_named(tissues: Sequence[LibraryTissue], name: str) -> LibraryTissue | None:
-    """The tissue whose longest word is a word of an organ's name: of a kidney stone the stone; None
-    where the name tells nothing."""
+    """The tissue of which an organ's name has a whole word, or several; None where it has none."""
     within = appearance.fold(name) + " "
-    best, length = None, 0
-    for tissue in tissues:
-        for word in (tissue.name, tissue.title, *tissue.words):
-            letters = appearance.fold(word) + " "
-            if letters.strip() and letters in within and len(letters) > length:
-                best, length = tissue, len(letters)
-    return best
+    words = (
+        (appearance.fold(word), tissue)
+        for tissue in tissues
+        for word in (tissue.name, tissue.title, *tissue.words)
+    )
+    return appearance.find_longest_word(words, lambda word: f"{word} " in within)
 
 
 def describe_words(tissue: LibraryTissue, titles: dict[str, str]) -> str:
