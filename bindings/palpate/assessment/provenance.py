@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable
+from copy import copy
 from datetime import UTC, datetime
 from importlib.metadata import version
 from typing import Any
@@ -76,16 +77,9 @@ def with_review(
 def with_member(published: scenario.Scenario, name: str, value: object) -> scenario.Scenario:
     assessment = json.loads(published.assessment)
     assessment[name] = value
-    return scenario.Scenario(
-        scene=published.scene,
-        title=published.title,
-        task=published.task,
-        authored=published.authored,
-        authored_arrays=published.authored_arrays,
-        languages=published.languages,
-        assessment=json.dumps(assessment, ensure_ascii=False),
-        assessment_arrays=published.assessment_arrays,
-    )
+    made = copy(published)
+    made.assessment = json.dumps(assessment, ensure_ascii=False)
+    return made
 
 
 def find_void(published: scenario.Scenario) -> list[str]:

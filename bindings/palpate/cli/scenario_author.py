@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -108,9 +109,19 @@ def run_new(call: argparse.Namespace) -> Report:
 
 
 def run_step(call: argparse.Namespace) -> Report:
+    return run_change(change_step, call)
+
+
+def run_limit(call: argparse.Namespace) -> Report:
+    return run_change(change_limit, call)
+
+
+def run_change(
+    change: Callable[[Json, argparse.Namespace], Json], call: argparse.Namespace
+) -> Report:
     made = read_assessment(call.file)
     try:
-        return write(call.file, change_step(made, call), {})
+        return write(call.file, change(made, call), {})
     except AuthorError as problem:
         raise WrongCall(str(problem)) from None
     except (KeyError, TypeError, AttributeError) as problem:
@@ -144,18 +155,6 @@ def change_step(made: Json, call: argparse.Namespace) -> Json:
 
 def duplicate(made: Json, identity: str) -> Json:
     return author.duplicate_step(made, identity)[0]
-
-
-def run_limit(call: argparse.Namespace) -> Report:
-    made = read_assessment(call.file)
-    try:
-        return write(call.file, change_limit(made, call), {})
-    except AuthorError as problem:
-        raise WrongCall(str(problem)) from None
-    except (KeyError, TypeError, AttributeError) as problem:
-        raise Refusal(
-            call.file, "", f"no assessment ({problem!r})", "one as `new` writes"
-        ) from None
 
 
 def change_limit(made: Json, call: argparse.Namespace) -> Json:

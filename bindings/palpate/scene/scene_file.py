@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any, get_type_hints
@@ -100,8 +100,7 @@ def build_tissue(scene: SceneFile, mesh: palpate.SurfaceMesh) -> palpate.TissueM
             f"model.kind: got {model.kind!r}, expected a law of surfaces: a scene file has no "
             "tetrahedra; palpate-editor fills an organ and publishes it with them"
         )
-    if model.kind not in BUILDERS:
-        raise ValueError(f"model.kind: got {model.kind!r}, expected one of {', '.join(BUILDERS)}")
+    check_choice("kind", model.kind, BUILDERS)
     options = palpate.SurfaceOptions()
     options.home_stiffness = model.home_stiffness
     options.stiffness_scale = list(model.stiffness_scale)
@@ -120,10 +119,7 @@ def relax(tissue: palpate.TissueModel, model: ModelPart) -> palpate.TissueModel:
 
 
 def has_constants_from_tissue(scene: SceneFile) -> bool:
-    if scene.model.constants not in ORIGINS:
-        raise ValueError(
-            f"model.constants: got {scene.model.constants!r}, expected one of {', '.join(ORIGINS)}"
-        )
+    check_choice("constants", scene.model.constants, ORIGINS)
     return scene.model.constants == "tissue"
 
 
@@ -230,14 +226,16 @@ def find_trocar(part: ToolPart, tissue: palpate.TissueModel) -> np.ndarray | Non
     return np.array([middle[0], middle[1], high[2] + part.trocar_height])
 
 
+def check_choice(field: str, value: str, choices: Collection[str]) -> None:
+    """Raises ValueError for a word of the model that is none of its choices."""
+    if value not in choices:
+        raise ValueError(f"model.{field}: got {value!r}, expected one of {', '.join(choices)}")
+
+
 def find_contact_modulus(scene: SceneFile) -> float:
     """[Pa] E / (1 - nu²) of tissue with a near field; 0 for the hard law."""
     model, material = scene.model, scene.material
-    if model.contact_law not in CONTACT_LAWS:
-        expected = ", ".join(CONTACT_LAWS)
-        raise ValueError(
-            f"model.contact_law: got {model.contact_law!r}, expected one of {expected}"
-        )
+    check_choice("contact_law", model.contact_law, CONTACT_LAWS)
     if model.kind not in WITH_NEAR_FIELD or model.contact_law == "hard":
         return 0.0
     return material.young_modulus / (1.0 - material.poisson_ratio**2)
@@ -246,11 +244,7 @@ def find_contact_modulus(scene: SceneFile) -> float:
 def feels_facets(scene: SceneFile) -> bool:
     """Whether a ball feels how curved the facets under it are. Raises ValueError."""
     model = scene.model
-    if model.contact_curvature not in CONTACT_CURVATURES:
-        expected = ", ".join(CONTACT_CURVATURES)
-        raise ValueError(
-            f"model.contact_curvature: got {model.contact_curvature!r}, expected one of {expected}"
-        )
+    check_choice("contact_curvature", model.contact_curvature, CONTACT_CURVATURES)
     solid = model.kind in FILLED and model.contact_law != "hard"
     return solid and model.contact_curvature == "facets"
 
@@ -258,11 +252,7 @@ def feels_facets(scene: SceneFile) -> bool:
 def ties_holds(scene: SceneFile) -> bool:
     """Whether what a tool holds gives way as tissue does under it. Raises ValueError."""
     model = scene.model
-    if model.contact_hold not in CONTACT_HOLDS:
-        expected = ", ".join(CONTACT_HOLDS)
-        raise ValueError(
-            f"model.contact_hold: got {model.contact_hold!r}, expected one of {expected}"
-        )
+    check_choice("contact_hold", model.contact_hold, CONTACT_HOLDS)
     near = model.kind in WITH_NEAR_FIELD and model.contact_law != "hard"
     return near and model.contact_hold == "tied"
 

@@ -25,7 +25,42 @@ class Slider(QSlider):
         event.ignore()
 
 
-class BandRow(QWidget):
+class SliderRow(QWidget):
+    """A title over sliders with what each says beside it, in a unit of people's liking."""
+
+    def __init__(self, text: str, unit: str, scale: float, step: float, parent: QWidget | None):
+        """`step` is one tick of a slider in the shown unit."""
+        super().__init__(parent)
+        self.unit, self.scale, self.step = unit, scale, step
+        self._writing = False
+        self.grid = QGridLayout(self)
+        self.grid.setContentsMargins(0, 0, 0, 0)
+        self.grid.setVerticalSpacing(2)
+        self.grid.setColumnStretch(0, 1)
+        self.title = write_label(text, "name", self)
+        self.grid.addWidget(self.title, 0, 0, 1, 2)
+
+    def add_slider(self, name: str, said: str, count: int) -> tuple[Slider, QLabel]:
+        slider = Slider(name, self)
+        slider.setRange(0, count)
+        slider.setAccessibleName(said)
+        slider.valueChanged.connect(self._moved)
+        slider.sliderReleased.connect(self._enter)
+        label = write_label("", "value", self)
+        label.setMinimumWidth(104)
+        row = self.grid.rowCount()
+        self.grid.addWidget(slider, row, 0)
+        self.grid.addWidget(label, row, 1)
+        return slider, label
+
+    def _moved(self) -> None:
+        raise NotImplementedError
+
+    def _enter(self) -> None:
+        raise NotImplementedError
+
+
+class BandRow(SliderRow):
     """From 0 for no least to its end for no most."""
 
     entered = Signal(list)
@@ -35,30 +70,15 @@ class BandRow(QWidget):
         self, name: str, text: str, unit: str, scale: float, step: float, count: int,
         parent: QWidget | None = None,
     ):  # fmt: skip
-        """`step` is one tick of a slider in the shown unit, of which it has `count`."""
-        super().__init__(parent)
-        self.unit, self.scale, self.step, self.count = unit, scale, step, count
-        self._writing = False
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setVerticalSpacing(2)
-        self.title = write_label(text, "name", self)
-        grid.addWidget(self.title, 0, 0, 1, 2)
-        self.ends: list[Slider] = []
-        self.said: list[QLabel] = []
-        for row, (end, said) in enumerate((("least", tr("least")), ("most", tr("most"))), 1):
-            slider = Slider(f"{name}_{end}", self)
-            slider.setRange(0, count)
-            slider.setAccessibleName(f"{text}, {said}")
-            slider.valueChanged.connect(self._moved)
-            slider.sliderReleased.connect(self._enter)
-            label = write_label("", "value", self)
-            label.setMinimumWidth(104)
-            grid.addWidget(slider, row, 0)
-            grid.addWidget(label, row, 1)
-            self.ends.append(slider)
-            self.said.append(label)
-        grid.setColumnStretch(0, 1)
+        """Sliders of `count` steps each."""
+        super().__init__(text, unit, scale, step, parent)
+        self.count = count
+        rows = [
+            self.add_slider(f"{name}_{end}", f"{text}, {said}", count)
+            for end, said in (("least", tr("least")), ("most", tr("most")))
+        ]
+        self.ends = [slider for slider, _ in rows]
+        self.said = [label for _, label in rows]
 
     def show_band(self, band: object) -> None:
         """Shows a band of numbers [SI]; one of parameters is told and cannot be dragged."""
@@ -110,7 +130,7 @@ class BandRow(QWidget):
         self.said[1].setText(tr("none") if high == self.count else f"{most} {self.unit}")
 
 
-class NumberRow(QWidget):
+class NumberRow(SliderRow):
     """One slider."""
 
     entered = Signal(float)
@@ -120,24 +140,8 @@ class NumberRow(QWidget):
         self, name: str, text: str, unit: str, scale: float, step: float, count: int,
         parent: QWidget | None = None,
     ):  # fmt: skip
-        super().__init__(parent)
-        self.unit, self.scale, self.step = unit, scale, step
-        self._writing = False
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setVerticalSpacing(2)
-        self.title = write_label(text, "name", self)
-        grid.addWidget(self.title, 0, 0, 1, 2)
-        self.slider = Slider(name, self)
-        self.slider.setRange(0, count)
-        self.slider.setAccessibleName(text)
-        self.slider.valueChanged.connect(self._moved)
-        self.slider.sliderReleased.connect(self._enter)
-        self.said = write_label("", "value", self)
-        self.said.setMinimumWidth(104)
-        grid.addWidget(self.slider, 1, 0)
-        grid.addWidget(self.said, 1, 1)
-        grid.setColumnStretch(0, 1)
+        super().__init__(text, unit, scale, step, parent)
+        self.slider, self.said = self.add_slider(name, text, count)
 
     def show_value(self, value: object) -> None:
         """Shows a number [SI]; a parameter is told and cannot be dragged."""
