@@ -12,6 +12,7 @@ from palpate_editor.document import EMPTY
 from palpate_editor.document.rules import MOST_CROSSING
 from palpate_editor.edits import import_file
 from palpate_editor.repair_all import repair_all
+from tiers import keep_everyday
 from twin_files import CLASSES, write_twin
 
 SEEDS = range(6)
@@ -30,12 +31,7 @@ def is_simulable(assessment: Assessment) -> bool:
     return assessment.scene is not None and not wrong
 
 
-EVERYDAY = list(CLASSES)[::3]
-
-
-@pytest.mark.parametrize(
-    "name", [n if n in EVERYDAY else pytest.param(n, marks=pytest.mark.landing) for n in CLASSES]
-)
+@pytest.mark.parametrize("name", keep_everyday(CLASSES, list(CLASSES)[::3]))
 def test_a_twin_opens_and_becomes_simulable(name, tmp_path):
     found = open_and_repair(name, 0, tmp_path)
 

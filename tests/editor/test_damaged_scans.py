@@ -22,6 +22,7 @@ from palpate_editor.scan import (
     segment_scan,
 )
 from scans import PLAIN, UNEVEN, Made, make_scan, write_dicom, write_scan
+from tiers import keep_everyday
 
 
 def plain(kind: type = np.int16) -> Made:
@@ -271,10 +272,7 @@ def write_bytes(path: Path, data: bytes) -> Path:
     return path
 
 
-@pytest.mark.parametrize(
-    "name",
-    [n if n in SAMPLE else pytest.param(n, marks=pytest.mark.landing) for n in DAMAGED],
-)
+@pytest.mark.parametrize("name", keep_everyday(DAMAGED, SAMPLE))
 def test_a_damaged_scan_is_refused_with_a_sentence(name, tmp_path):
     make, where, words = DAMAGED[name]
     path = make(tmp_path)

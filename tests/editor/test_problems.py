@@ -28,6 +28,7 @@ from palpate_editor.document.cost_rules import TICK_SHARE, compute_tick_share
 from palpate_editor.document.problems import SEVERITIES, Problem
 from palpate_editor.edits import SetConstant
 from palpate_editor.views.stages.panels import list_stages
+from tiers import keep_everyday
 
 STAGES = list_stages()
 CONFIRMED = replace(make_organ().source, unit_guessed=False, up_guessed=False)
@@ -189,11 +190,10 @@ def find_problem(key: str) -> Problem:
 
 
 COSTLY = ("slow_solid", "too_many_substeps", "hard_constant", "too_slow", "late_exchange")
+QUICK = set(WRONG) - set(COSTLY)
 
 
-@pytest.mark.parametrize(
-    "key", [pytest.param(key, marks=pytest.mark.landing) if key in COSTLY else key for key in WRONG]
-)
+@pytest.mark.parametrize("key", keep_everyday(WRONG, QUICK))
 def test_a_problem_is_found_at_its_stage(key):
     _, stage, severity, words = WRONG[key]
 
@@ -223,9 +223,7 @@ FIXABLE = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "key", [pytest.param(key, marks=pytest.mark.landing) if key in COSTLY else key for key in WRONG]
-)
+@pytest.mark.parametrize("key", keep_everyday(WRONG, QUICK))
 def test_a_fix_that_is_offered_mends_the_problem(key):
     organ, problem = WRONG[key][0], find_problem(key)
 

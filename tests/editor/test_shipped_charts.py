@@ -67,7 +67,8 @@ def test_a_row_in_ten_has_the_same_errors_again(name, capsys):
 @pytest.mark.verify
 def test_the_chart_of_an_atlas_kidney_is_of_what_its_lines_make(shared_data, tmp_path):
     text = (CHARTS.parent / "README.md").read_text(encoding="utf-8").split("## Charts")[1]
-    *lines, charted = re.findall(r"^    palpate (.*)$", text, re.MULTILINE)
+    said = re.findall(r"^    palpate (.*)$", text, re.MULTILINE)
+    *lines, charted = [line for line in said if "atlas_kidney.organ" in line]
     organ, chart = tmp_path / "atlas_kidney.organ", CHARTS / "atlas" / "kidney.json"
 
     for line in lines:

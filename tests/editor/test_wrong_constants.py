@@ -27,6 +27,7 @@ from palpate_editor.document.files import write_organ
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import SetConstant
 from palpate_editor.open_organ import open_organ
+from tiers import keep_everyday
 
 SPRINGS = Path(__file__).resolve().parents[1] / "scenes" / "springs"
 NONE = palpate.AlarmKind.none
@@ -78,14 +79,11 @@ def find_told(organ: Organ, key: str) -> Problem:
     return problem
 
 
-EVERYDAY = list(WRONG)[:2]
 AT_LANDING = list(WRONG)[::4]
 """Of these a minute is simulated at a landing, of the others by verify alone."""
 
 
-@pytest.mark.parametrize(
-    "key", [k if k in EVERYDAY else pytest.param(k, marks=pytest.mark.landing) for k in WRONG]
-)
+@pytest.mark.parametrize("key", keep_everyday(WRONG, list(WRONG)[:2]))
 def test_a_wrong_constant_is_named_with_the_nearest_value_that_works(organ, key):
     wrong = make_wrong(organ, key)
 

@@ -12,6 +12,7 @@ from palpate.runs.press import CLEARANCE, find_top
 from palpate.runs.run import read_scene
 from palpate_editor.shipped import list_organs
 from scripted_hands import SPRINGS, find_scattered_place, open_organ_scene, press, run_hand
+from tiers import keep_everyday
 
 ORGANS = [entry.name for entry, _ in list_organs()]
 OF_SPRINGS = sorted(path.stem for path in SPRINGS.glob("*.palpate"))
@@ -25,7 +26,7 @@ LIMIT_SHARE = 0.9
 
 
 def some(names: list[str]) -> list[object]:
-    return [pytest.param(n, marks=pytest.mark.landing) if n in COSTLY else n for n in names]
+    return keep_everyday(names, set(names) - set(COSTLY))
 
 
 @pytest.mark.parametrize("name", some(ORGANS))

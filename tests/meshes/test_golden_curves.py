@@ -8,12 +8,10 @@ import palpate
 import pytest
 from golden_curves import PRESSES, TOLERANCE, compute_change, find_peak, press, read_curves
 from palpate_editor.shipped import list_organs
+from tiers import keep_everyday
 
 
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(n, marks=pytest.mark.landing if k % 2 else []) for k, n in enumerate(PRESSES)],
-)
+@pytest.mark.parametrize("name", keep_everyday(PRESSES, list(PRESSES)[::2]))
 def test_a_shipped_press_feels_within_two_percent_as_it_did(name):
     change = compute_change(press(name), read_curves()[name])
 

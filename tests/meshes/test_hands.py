@@ -10,6 +10,7 @@ from palpate.runs.press import find_place, find_top
 from palpate.runs.run import read_scene
 from palpate_editor.shipped import list_organs
 from scripted_hands import SPRINGS, find_scattered_place, open_organ_scene, press, pull
+from tiers import keep_everyday
 
 ORGANS = [entry.name for entry, _ in list_organs()]
 EVERYDAY = ("gallbladder", "spleen")
@@ -95,10 +96,7 @@ def check_pull(name: str, place_number: int | None, hold: float) -> None:
     assert np.diff(force[released - 40 :]).min() > -0.1 * max(load, 0.1)
 
 
-@pytest.mark.parametrize(
-    "name",
-    [n if n in EVERYDAY else pytest.param(n, marks=pytest.mark.landing) for n in ORGANS],
-)
+@pytest.mark.parametrize("name", keep_everyday(ORGANS, EVERYDAY))
 def test_an_organ_bears_a_pull_of_20_mm_and_lets_go_without_a_kick(name):
     check_pull(name, None, hold=1.0)
 

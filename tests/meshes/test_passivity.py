@@ -7,6 +7,7 @@ import palpate
 import pytest
 from palpate.runs.press import PressScript, find_top, write_script
 from scripted_hands import PUBLISHED, open_organ_scene
+from tiers import keep_everyday
 
 STONE = "kidney_stone"
 ORGANS = sorted(path.stem for path in PUBLISHED.glob("*.palpate"))
@@ -32,7 +33,7 @@ def feel(name: str, script: PressScript) -> palpate.SafeDevice:
 
 def some(names: list[str]) -> list[object]:
     """The first of them every day, all at a landing."""
-    return [names[0], *(pytest.param(name, marks=pytest.mark.landing) for name in names[1:])]
+    return keep_everyday(names, names[:1])
 
 
 @pytest.mark.parametrize("name", some(ORGANS))

@@ -27,12 +27,10 @@ from palpate_meshes.catalogue import (
     read_tissues,
 )
 from palpate_meshes.tools import read_tool
+from tiers import keep_everyday
 
 ORGANS = [entry.name for entry, _ in list_organs()]
-EVERYDAY = ("gallbladder", "simple_tissue", "spleen")
-BUILT = [
-    name if name in EVERYDAY else pytest.param(name, marks=pytest.mark.landing) for name in ORGANS
-]
+BUILT = keep_everyday(ORGANS, ("gallbladder", "simple_tissue", "spleen"))
 """Where each is built: a wall, springs and a solid every day, the others at a landing."""
 
 

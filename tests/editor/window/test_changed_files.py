@@ -13,6 +13,7 @@ from palpate_editor.views.file_questions import OVERWRITE, RELOAD, SAVE_AS
 from patience import settle
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
+from tiers import keep_everyday
 from touch_context import build_organ
 
 pytestmark = [pytest.mark.window, pytest.mark.landing]
@@ -66,10 +67,7 @@ def test_a_mesh_over_an_open_document_begins_one_without_a_file(qtbot, liver_win
 
 @pytest.mark.parametrize(
     "action",
-    [
-        "chosen",
-        *(pytest.param(action, marks=pytest.mark.landing) for action in ("dropped", "opened")),
-    ],
+    keep_everyday(["chosen", "dropped", "opened"], ["chosen"]),
 )
 def test_a_mesh_over_unsaved_changes_asks_first(qtbot, liver_window, spleen, action):
     window = liver_window

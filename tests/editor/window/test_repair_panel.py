@@ -15,6 +15,7 @@ from palpate_editor.document.cost_rules import TICK_SHARE
 from palpate_editor.views.assessment import Assessment
 from palpate_editor.views.problem_marks import MARK, find_view
 from patience import rest, settle
+from tiers import keep_everyday
 from touch_context import build_organ
 
 pytestmark = pytest.mark.window
@@ -137,10 +138,7 @@ def test_what_cannot_be_told_is_neither_good_nor_bad_and_says_why(qtbot, holed):
     assert value.property("tone") == "good"
 
 
-@pytest.mark.parametrize(
-    "share",
-    [TICK_SHARE, *(pytest.param(x, marks=pytest.mark.landing) for x in (0.5 * TICK_SHARE, 0.98))],
-)
+@pytest.mark.parametrize("share", keep_everyday([TICK_SHARE, 0.5 * TICK_SHARE, 0.98], [TICK_SHARE]))
 def test_a_tick_that_takes_too_long_has_no_tick(qtbot, holed, share):
     """The check said "98 %, at most 70 %" above a green "98 %"."""
     holed.session.restore(build_organ(), None)
