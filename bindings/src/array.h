@@ -131,6 +131,10 @@ inline Vec3Array copy_points(const Numbers& argument, const char* name) {
   return {all.begin(), all.end()};
 }
 
+inline Quaternion to_quaternion(const Eigen::Vector4d& xyzw) {
+  return Quaternion(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
+}
+
 inline std::span<const double> numbers(const Numbers& argument, const char* name) {
   const auto table = read_table(argument, name);
   return {table.data(), static_cast<std::size_t>(table.shape(0))};

@@ -25,10 +25,6 @@ py::dtype row_dtype<HapticSample>() {
 
 namespace {
 
-Quaternion to_quaternion(const Eigen::Vector4d& xyzw) {
-  return Quaternion(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
-}
-
 void bind_sample(py::module_& m) {
   const HapticSample still;
   py::class_<HapticSample> sample(m, "HapticSample",

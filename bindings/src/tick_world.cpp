@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/native_enum.h>
+
+#include "bindings.h"
+#include "border.h"
+#include "palpate/sim/tick/world.h"
+#include "rows.h"
+#include "value.h"
+
+namespace palpate::bindings {
+namespace {
+
+void bind_safeguards(py::module_& m) {
+  // an integer in Python too, as in the column of a record's events
+  py::native_enum<Safeguard>(
+      m, "Safeguard", "enum.IntEnum",
+      "What a body is stepped by where it would blow up without, each beyond the one before.")
+      .value("none", Safeguard::none, "As the scene says.")
+      .value("half_steps", Safeguard::half_steps, "Of half the length.")
+      .value("quarter_steps", Safeguard::quarter_steps, "Of a quarter of it.")
+      .value("implicit_damping", Safeguard::implicit_damping,
+             "Damped by the velocity that a step leads to, as well.")
+      .finalize();
+}
+
+void bind_states(py::module_& m) {
+  bind_safeguards(m);
+  py::class_<SoftState> body(m, "SoftState", "A soft body of a running scene, after every tick.");
+  body.def_readonly("tissue", &SoftState::tissue, "The tissue after the last tick; read-only.")
+      .def_readonly("tree", &SoftState::tree, "The boxes around its surface; read-only.")
+      .def_readonly("load", &SoftState::load, "What all tools do to the tissue; read-only.")
+      .def_readonly("guard", &SoftState::guard, "The memory of the alarm; read-only.")
+      .def_readonly("substeps", &SoftState::substeps, "Of the last tick.")
+      .def_readonly("safeguard", &SoftState::safeguard, "Of the last tick.")
+      .def_readonly("averted", &SoftState::averted,
+                    "The last alarm that a safeguard has averted; none so far.")
+      .def_readonly("asleep", &SoftState::asleep,
+                    "It has come to rest far from every instrument, and ticks leave it out until "
+                    "one comes near: no bit of it would change.");
+  def_view(body, "skin", &SoftState::skin,
+           "[m] the vertices of the skin, shape (n, 3), after every tick; empty where there is "
+           "none; a view.");
+  def_copy(body);
+  def_summary(body, [](const SoftState& self) {
+    return write_text(self.tissue.position.size(), " particles, ", self.substeps, " substeps");
+  });
+
+  py::class_<InstrumentState> instrument(
+      m, "InstrumentState", "An instrument of a running scene, and the hand that moves it.");
+  instrument.def_readonly("tool", &InstrumentState::tool, "Where the tool is; read-only.")
+      .def_readonly("attach_pressed", &InstrumentState::attach_pressed,
+                    "Whether the attach button was, in the last tick.")
+      .def_readonly("release_ticks", &InstrumentState::release_ticks,
+                    "Left until a hold that fades is gone; 0 when none does.");
+  def_vector(instrument, "hand", &InstrumentState::hand,
+             "[m] where the tool is drawn to: the hand, unless that jumped.");
+  def_copy(instrument);
+  def_summary(instrument, [](const InstrumentState& self) {
+    return std::string(self.tool.hold_count > 0 ? "attached"
+                       : self.tool.touching     ? "touching"
+                                                : "not touching");
+  });
+
+  py::class_<ContactPair> pair(m, "ContactPair",
+                               "What an instrument may touch of a body, and what it does to it.");
+  pair.def_readonly("candidates", &ContactPair::candidates,
+                    "What the tool may touch in this tick; read-only.")
+      .def_readonly("load", &ContactPair::load,
+                    "What the tool did in the last substep; read-only.");
+  def_copy(pair);
+  def_summary(pair, [](const ContactPair& self) {
+    return write_text(self.candidates.count, " candidates, ", self.load.push_count, " pushes");
+  });
+}
+
+}  // namespace
+
+void bind_world(py::module_& m) {
+  bind_states(m);
+  py::class_<World> world(m, "World",
+                          "A running scene. Everything a tick needs is allocated here, once.");
+  world.def(py::init([](const Scene& scene, bool recovers) {
+              require_built(scene);
+              const py::gil_scoped_release released;
+              World made(scene);
+              made.recovers = recovers;
+              return made;
+            }),
+            "scene"_a, py::kw_only(), "recovers"_a = true, "The scene at rest.");
+  def_elements(world, "bodies", &World::bodies, "As Scene.bodies, a tuple; read-only.");
+  def_elements(world, "rigid", &World::rigid, "As Scene.rigid, none yet.");
+  def_elements(world, "instruments", &World::instruments,
+               "As Scene.instruments, a tuple; read-only.");
+  def_elements(world, "pairs", &World::pairs,
+               "Every instrument with every body, a tuple; read-only.");
+  world
+      .def(
+          "pair",
+          [](const py::object& self, int instrument, int body) -> py::object {
+            const auto& its = self.cast<const World&>();
+            require_index("instrument", instrument, its.instruments.size());
+            require_index("body", body, its.bodies.size());
+            return self.attr("pairs")[py::int_(instrument * its.bodies.size() + body)];
+          },
+          "instrument"_a, "body"_a, "An instrument with a body; read-only.")
+      .def_readonly("alarm", &World::alarm,
+                    "The first alarm; from then on the forces fade and all tissue stands still.")
+      .def_readonly("alarm_body", &World::alarm_body,
+                    "Whose tissue raised it; -1 for what is of no body.")
+      .def_readonly("tick_count", &World::tick_count, "How many ticks have been run.")
+      .def_readonly("recovers", &World::recovers,
+                    "Whether a tick in which a body blows up is done again, from where it began, "
+                    "under the body's next safeguard, before its alarm stands. What judges a "
+                    "scene as it is asks for none of it.")
+      .def_readonly("measures_costs", &World::measures_costs,
+                    "Whether tick() keeps costs: forces are the same to the bit with and without, "
+                    "and a tick takes some microseconds more.")
+      .def_readonly("costs", &World::costs, "Of the last tick; read-only.");
+  def_copy(world);
+  def_summary(world, [](const World& self) {
+    std::size_t particles = 0;
+    for (const SoftState& body : self.bodies) particles += body.tissue.position.size();
+    bool touching = false;
+    for (const InstrumentState& each : self.instruments) touching |= each.tool.touching;
+    return write_text("tick ", self.tick_count, ", ", particles, " particles, ",
+                      self.alarm ? "stopped by an alarm"
+                      : touching ? "touching"
+                                 : "not touching");
+  });
+}
+
+}  // namespace palpate::bindings
