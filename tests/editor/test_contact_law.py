@@ -144,20 +144,26 @@ def test_the_command_line_chooses_the_curvature_and_refuses_it_where_it_counts_f
     assert "--contact-curvature: got facets, which has no effect here" in capsys.readouterr().err
 
 
-def test_a_curvature_that_nobody_knows_is_refused():
-    with pytest.raises(ValueError, match="model.contact_curvature: got 'round', expected one of"):
-        compile_organ(make_kind("solid", contact_curvature="round"))
+@pytest.mark.parametrize(
+    ("field", "word"), [("contact_curvature", "round"), ("contact_hold", "glued")]
+)
+def test_a_word_that_is_no_choice_is_refused(field, word):
+    with pytest.raises(ValueError, match=f"model.{field}: got '{word}', expected one of"):
+        compile_organ(make_kind("solid", **{field: word}))
 
 
-def test_charts_of_before_keep_their_key_and_one_of_facets_has_another():
+@pytest.mark.parametrize(
+    ("field", "word"), [("contact_curvature", "facets"), ("contact_hold", "tied")]
+)
+def test_charts_of_before_keep_their_key_and_one_of_another_contact_has_another(field, word):
     content, _ = pack_organ(make_kind("solid"))
-    other, _ = pack_organ(make_kind("solid", contact_curvature="facets"))
+    other, _ = pack_organ(make_kind("solid", **{field: word}))
 
     keep_known(content)
     keep_known(other)
 
-    assert "contact_curvature" not in content["model"]
-    assert other["model"]["contact_curvature"] == "facets"
+    assert field not in content["model"]
+    assert other["model"][field] == word
 
 
 @pytest.mark.parametrize("kind", WITH_NEAR_FIELD)
@@ -187,19 +193,3 @@ def test_the_command_line_ties_holds_and_refuses_it_where_it_counts_for_nothing(
     assert "by the hard law what is held gives way as the mesh" in capsys.readouterr().err
     assert main([*call, "--kind", "mss"]) == 1
     assert "--contact-hold: got tied, which has no effect here" in capsys.readouterr().err
-
-
-def test_a_hold_that_nobody_knows_is_refused():
-    with pytest.raises(ValueError, match="model.contact_hold: got 'glued', expected one of"):
-        compile_organ(make_kind("solid", contact_hold="glued"))
-
-
-def test_charts_of_before_keep_their_key_and_one_of_tied_holds_has_another():
-    content, _ = pack_organ(make_kind("solid"))
-    other, _ = pack_organ(make_kind("solid", contact_hold="tied"))
-
-    keep_known(content)
-    keep_known(other)
-
-    assert "contact_hold" not in content["model"]
-    assert other["model"]["contact_hold"] == "tied"

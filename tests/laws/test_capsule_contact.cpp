@@ -6,11 +6,9 @@
 #include <initializer_list>
 #include <vector>
 
-#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/flicks.h"
 #include "scenes/geodesic.h"
-#include "scenes/kernels.h"
 #include "scenes/scenes.h"
 
 // T1 to T3 of an instrument of capsules, through the tick the hand feels [contact: capsules].
@@ -23,21 +21,11 @@ using scenes::hand_at;
 
 constexpr double kTick = 1e-3;
 
-/// A wall as that of tests/laws/test_contact.cpp, of 10 n² + 2 vertices, under a capsule of 10 mm
-/// across its top.
+/// Of 10 n² + 2 vertices, under a capsule of 10 mm across its top.
 Scene make_organ(int n, double radius) {
-  SurfaceOptions options;
-  options.home_stiffness = 3e5;
-  options.drag = 30.0;
-  const Material wall{.density = 1000.0, .damping_ratio = 0.03, .wall_thickness = 0.002};
-  Scene scene;
-  scene.bodies[0].kernel = scenes::kernel_under_test();
-  scene.bodies[0].tissue = build_mass_spring(scenes::make_geodesic({0.0165, 0.030, 0.0165}, n),
-                                             wall, 0.866 * 60.0, options);
-  scene.instruments[0].tool = {
-      .radius = radius, .stiffness = 3e7, .capsules = {{{0, -0.005, 0}, {0, 0.005, 0}}}};
-  scene.instruments[0].coupling = {.stiffness = 400.0, .force_max = 5.0};
-  return build_scene(std::move(scene));
+  return scenes::make_law_wall(
+      scenes::make_geodesic({0.0165, 0.030, 0.0165}, n),
+      {.radius = radius, .stiffness = 3e7, .capsules = {{{0, -0.005, 0}, {0, 0.005, 0}}}});
 }
 
 struct Held {

@@ -7,7 +7,6 @@
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/mesh/mesh.h"
-#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
 #include "scenes/flicks.h"
@@ -25,20 +24,10 @@ using scenes::hand_at;
 
 constexpr double kTick = 1e-3;
 
-/// The wall of [contact: law]: E h = 60 N/m in the wall, so 0.866 E h along every edge of a mesh of
-/// even triangles, 3e5 N/m³ home, 2 kg/m², light damping on purpose.
+/// Of 10 n² + 2 vertices.
 Scene make_organ(int n, double radius, double k_a) {
-  SurfaceOptions options;
-  options.home_stiffness = 3e5;
-  options.drag = 30.0;
-  const Material wall{.density = 1000.0, .damping_ratio = 0.03, .wall_thickness = 0.002};
-  Scene scene;
-  scene.bodies[0].kernel = scenes::kernel_under_test();
-  scene.bodies[0].tissue = build_mass_spring(scenes::make_geodesic({0.0165, 0.0165, 0.030}, n),
-                                             wall, 0.866 * 60.0, options);
-  scene.instruments[0].tool = {.radius = radius, .stiffness = k_a};
-  scene.instruments[0].coupling = {.stiffness = 400.0, .force_max = 5.0};
-  return build_scene(std::move(scene));
+  return scenes::make_law_wall(scenes::make_geodesic({0.0165, 0.0165, 0.030}, n),
+                               {.radius = radius, .stiffness = k_a});
 }
 
 struct Held {

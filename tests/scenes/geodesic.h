@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/sim/model/build_surface.h"
+#include "palpate/sim/tick/tick.h"
+#include "scenes/kernels.h"
 #include "scenes/scenes.h"
 
 namespace palpate::scenes {
@@ -50,6 +53,21 @@ inline SurfaceMesh make_geodesic(const Vec3& radii, int n) {
     }
   }
   return mesh;
+}
+
+/// The wall of [contact: law] under a tool: E h = 60 N/m in the wall, so 0.866 E h along every edge
+/// of a mesh of even triangles, 3e5 N/m³ home, 2 kg/m², light damping on purpose.
+inline Scene make_law_wall(const SurfaceMesh& mesh, const Tool& tool) {
+  SurfaceOptions options;
+  options.home_stiffness = 3e5;
+  options.drag = 30.0;
+  const Material wall{.density = 1000.0, .damping_ratio = 0.03, .wall_thickness = 0.002};
+  Scene scene;
+  scene.bodies[0].kernel = kernel_under_test();
+  scene.bodies[0].tissue = build_mass_spring(mesh, wall, 0.866 * 60.0, options);
+  scene.instruments[0].tool = tool;
+  scene.instruments[0].coupling = {.stiffness = 400.0, .force_max = 5.0};
+  return build_scene(std::move(scene));
 }
 
 }  // namespace palpate::scenes
