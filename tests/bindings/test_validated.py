@@ -72,6 +72,15 @@ def test_a_tip_that_no_reference_has_is_validated_to_no_depth(tip):
     assert found.thickness == pytest.approx(0.1, rel=1e-3)
 
 
+def test_a_shaft_is_validated_to_no_depth_since_all_references_have_balls():
+    scene, places = make_ellipsoid(3e-3)
+    scene.instruments[0].tool.capsules = [palpate.Capsule(to=[0.0, 0.0, 0.02])]
+
+    for place in places.values():
+        assert find_validity(scene, place).depth == 0.0
+        assert find_validity(scene, place).bound == "tip"
+
+
 def test_a_sheet_has_no_thickness_but_its_wall():
     scene = make_scene(sheet(9, 0.04), 3e-3)
     place = find_place(scene, np.zeros(3))

@@ -35,7 +35,7 @@ WALL = PlaceFacts((0.0, 0.0, 0.0), thickness=90e-3, validated=2e-3, bound="wall"
         (WALL, 3e-3, "3.0 mm deep at 0, 0, 0 mm, where 2.0 mm are validated: the thickness of its "
          "wall, 2.0 mm", "at most 2.0 mm: deeper"),
         (PlaceFacts((0.0, 0.0, 0.0)), 3e-3, "a press of 3.0 mm with a tip of 3 mm, for which no "
-         "depth is validated", "a tip of 2 to 8 mm"),
+         "depth is validated", "a ball of 2 to 8 mm"),
     ],
 )  # fmt: skip
 def test_a_deep_press_is_told_with_both_depths_and_the_remedy(place, depth, got, expected):
@@ -102,7 +102,7 @@ def test_check_says_that_no_depth_is_validated_of_a_tip_that_was_not_compared(tm
     main(["check", str(tmp_path / "a.organ")])
 
     assert all(place["validated_depth_m"] == 0.0 for place in report["places"])
-    assert "no depth is validated: only tips of 2 to 8 mm are" in capsys.readouterr().out
+    assert "no depth is validated: only balls of 2 to 8 mm are" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(("depth", "told"), [("2mm", False), ("9mm", True)])

@@ -33,8 +33,8 @@ class Validity:
     depth: float
     """[m] of the tool beyond its first touch; 0 where no depth is validated."""
     bound: str
-    """Which length it comes from: thickness, radius or wall; tip where no reference has one of
-    this radius."""
+    """Which length it comes from: thickness, radius or wall; tip where no reference has such
+    a one: a ball of this radius."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,9 @@ class Depths:
     """Looks up the validated depth at many places of a scene."""
 
     def __init__(self, scene: palpate.Scene, wall: float | None = None):
-        self.wall, self.radius = wall, scene.instruments[0].tool.radius
+        tool = scene.instruments[0].tool
+        self.wall, self.radius = wall, tool.radius
+        self.has_reference = not tool.capsules and within(tool.radius, *VALIDATED_TIPS)
         self.x, self.triangles = take_surface(scene, 0)
         self.tree = palpate.AabbTree(self.x, self.triangles)
         self.normals = np.asarray(palpate.compute_vertex_normals(self.x, self.triangles))
@@ -69,7 +71,7 @@ class Depths:
 
     def find(self, place: Place) -> Validity:
         thickness = self.find_thickness(place)
-        if not within(self.radius, *VALIDATED_TIPS):
+        if not self.has_reference:
             return Validity(thickness, 0.0, "tip")
         bounds = {"radius": VALIDATED_RADII * self.radius}
         if thickness is not None:

@@ -68,7 +68,7 @@ def say_remedy(press: PressFacts) -> Phrase:
     place = press.place
     if place.bound == "tip":
         return phrase(
-            "a tip of {least:g} to {most:g} mm, as the balls that forces were compared with",
+            "a ball of {least:g} to {most:g} mm, as those that forces were compared with",
             least=1e3 * VALIDATED_TIPS[0],
             most=1e3 * VALIDATED_TIPS[1],
         )

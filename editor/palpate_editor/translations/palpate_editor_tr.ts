@@ -2623,8 +2623,8 @@ Beklenen: {expected}.</translation>
         <translation>Doğrulanan derinlik</translation>
     </message>
     <message>
-        <source>no depth: only tips of {least} to {most} mm are</source>
-        <translation>yok: yalnız {least} ile {most} mm arası uçlar için var</translation>
+        <source>no depth: only balls of {least} to {most} mm are</source>
+        <translation>yok: yalnız {least} ile {most} mm arası küreler için var</translation>
     </message>
     <message>
         <source>{span} mm deep, by place</source>
@@ -4312,8 +4312,8 @@ Beklenen: {expected}.</translation>
         <translation>{radius:g} mm uçla {depth:.1f} mm basış; bu uç için hiçbir derinlik doğrulanmamıştır</translation>
     </message>
     <message>
-        <source>a tip of {least:g} to {most:g} mm, as the balls that forces were compared with</source>
-        <translation>{least:g} ile {most:g} mm arası bir uç: kuvvetlerin karşılaştırıldığı bilyeler gibi</translation>
+        <source>a ball of {least:g} to {most:g} mm, as those that forces were compared with</source>
+        <translation>{least:g} ile {most:g} mm arası bir küre: kuvvetlerin karşılaştırıldığı küreler gibi</translation>
     </message>
     <message>
         <source>at most {validated:.1f} mm, or a tip of {radius:.1f} mm: deeper no truth was solved to compare the force with</source>

@@ -96,7 +96,7 @@ def describe_places(report: Report) -> list[str]:
     lines = []
     if places and places[0]["validated_by"] == "tip":
         least, most = (f"{1e3 * radius:g}" for radius in VALIDATED_TIPS)
-        lines.append(f"  no depth is validated: only tips of {least} to {most} mm are")
+        lines.append(f"  no depth is validated: only balls of {least} to {most} mm are")
     offered = any(place["hard_force_N"] is not None for place in places)
     if offered:
         lines.append(

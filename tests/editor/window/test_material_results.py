@@ -48,7 +48,7 @@ def test_to_which_depth_the_places_are_validated_stands_among_the_results(panel,
     window.context.apply(SetConstant("tool", "radius", 12e-3))
     settle(qtbot, window)
 
-    assert words()["Validated to"] == "no depth: only tips of 2 to 8 mm are"
+    assert words()["Validated to"] == "no depth: only balls of 2 to 8 mm are"
 
 
 OLD_SOLID = Path(__file__).parents[2] / "scenes" / "published" / "solid_v6.organ"

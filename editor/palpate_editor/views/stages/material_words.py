@@ -108,7 +108,7 @@ def validity_rows(tissue: TissueFacts) -> list[Fact]:
     depths = tissue.trial.validated
     if not depths:
         tips = [number(1e3 * radius, 2) for radius in VALIDATED_TIPS]
-        text = tr("no depth: only tips of {least} to {most} mm are")
+        text = tr("no depth: only balls of {least} to {most} mm are")
         return [(tr("Validated to"), text.format(least=tips[0], most=tips[1]))]
     least, most = (number(1e3 * depth, 2) for depth in (min(depths), max(depths)))
     span = most if least == most else f"{least} \N{EN DASH} {most}"
