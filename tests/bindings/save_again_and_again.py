@@ -4,9 +4,10 @@
     python save_again_and_again.py FILE OLD NEW MOMENTS...        prints one JSON list
 
 FILE is a published one where its name ends in .palpate, else the container of a working one. Every
-child writes OLD's and NEW's contents over FILE in turn. After each kill the list gains what
-FILE is, "old", "new" or what is wrong with it, and whether the kill came in the middle of a file:
-then part of one stands beside FILE, and is removed.
+child writes OLD's and NEW's contents over FILE in turn. Every second kill waits until part of a
+file stands beside FILE: where a disk is fast, moments alone seldom meet one. After each kill the
+list gains what FILE is, "old", "new" or what is wrong with it, and whether the kill came in the
+middle of a file: then part of one stands beside FILE, and is removed.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ import palpate.scenario as scenario
 Content = scenario.Scenario | scenario.Container
 # of the organs that the editor writes: their version is its own
 NEWEST = 1000
+LONGEST_SAVE = 10.0
+"""[s]"""
 
 
 def read(path: str, published: bool) -> Content:
@@ -44,13 +47,24 @@ def save_for_ever(path: str, contents: list[Content], started: int) -> None:
             save(path, content)
 
 
-def kill_while_saving(path: str, contents: list[Content], moment: float) -> None:
+def wait_for_a_part(path: Path) -> None:
+    """Until part of a file stands beside it."""
+    until = time.monotonic() + LONGEST_SAVE
+    while time.monotonic() < until and len(os.listdir(path.parent)) < 2:
+        pass
+
+
+def kill_while_saving(
+    path: str, contents: list[Content], moment: float, in_the_middle: bool
+) -> None:
     ours, theirs = os.pipe()
     child = os.fork()
     if child == 0:
         save_for_ever(path, contents, theirs)
     os.read(ours, 1)
     time.sleep(moment)
+    if in_the_middle:
+        wait_for_a_part(Path(path))
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
     os.close(ours)
@@ -69,8 +83,8 @@ def main(path: str, old: str, new: str, *moments: str) -> list[tuple[str, bool]]
     contents = [read(old, published), read(new, published)]
     whole = {Path(old).read_bytes(): "old", Path(new).read_bytes(): "new"}
     found = []
-    for moment in moments:
-        kill_while_saving(path, contents, float(moment))
+    for number, moment in enumerate(moments):
+        kill_while_saving(path, contents, float(moment), number % 2 == 1)
         try:
             read(path, published)
             words = whole.get(Path(path).read_bytes(), "neither")

@@ -45,7 +45,7 @@ struct Surroundings {
 /// [m] The point of a triangle of one of the surfaces.
 Vec3 compute_point_of(const Surroundings& around, int body, int t, const Vec3& weights) noexcept {
   const TouchedSurface& surface = around.surfaces[static_cast<std::size_t>(body)];
-  return compute_point(get_triangle(surface, t), weights, surface.x);
+  return compute_point(triangle_at(surface, t), weights, surface.x);
 }
 
 Vec3 limit(const Vec3& v, double most) noexcept {

@@ -20,12 +20,12 @@ struct TriangleContact {
   Contact contact;
 };
 
-inline const Triangle& get_triangle(const TouchedSurface& surface, int t) noexcept {
+inline const Triangle& triangle_at(const TouchedSurface& surface, int t) noexcept {
   return surface.triangles[static_cast<std::size_t>(t)];
 }
 
-inline const Vec3& get_corner(const TouchedSurface& surface, int t, std::size_t c) noexcept {
-  return surface.x[static_cast<std::size_t>(get_triangle(surface, t)[c])];
+inline const Vec3& corner_at(const TouchedSurface& surface, int t, std::size_t c) noexcept {
+  return surface.x[static_cast<std::size_t>(triangle_at(surface, t)[c])];
 }
 
 inline void fill_axis(const Capsule& axis, std::size_t number, std::size_t lane,
@@ -44,7 +44,7 @@ inline void fill_lane(const TouchedSurface& surface, std::size_t candidate,
   lanes.triangle[lane] = t;
   lanes.rest_area[lane] = surface.candidates->areas[candidate];
   for (std::size_t c = 0; c < 3; ++c) {
-    const Vec3& corner = get_corner(surface, t, c);
+    const Vec3& corner = corner_at(surface, t, c);
     for (std::size_t k = 0; k < 3; ++k) {
       lanes.corners[3 * c + k][lane] = corner[static_cast<Eigen::Index>(k)];
     }
@@ -66,8 +66,8 @@ inline void fill_lanes(const TouchedSurface& surface, const Axes& axes, const Ve
   std::size_t count = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
     const int t = candidates.triangles[i];
-    const Box box = bound_triangle(get_corner(surface, t, 0), get_corner(surface, t, 1),
-                                   get_corner(surface, t, 2));
+    const Box box = bound_triangle(corner_at(surface, t, 0), corner_at(surface, t, 1),
+                                   corner_at(surface, t, 2));
     if (axes.count == 0 && compute_squared_distance(p, box.low, box.high) < reach * reach) {
       fill_lane(surface, i, count++);
     }
@@ -157,8 +157,8 @@ void for_each_closest(const Shape& shape, const TouchedSurface& surface, const V
   Contact contact;
   for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
     const int t = candidates.triangles[i];
-    if (find_shape_contact(shape, candidates.areas[i], p, get_corner(surface, t, 0),
-                           get_corner(surface, t, 1), get_corner(surface, t, 2), contact)) {
+    if (find_shape_contact(shape, candidates.areas[i], p, corner_at(surface, t, 0),
+                           corner_at(surface, t, 1), corner_at(surface, t, 2), contact)) {
       take(t, contact);
     }
   }

@@ -44,20 +44,12 @@ class SliderRow(QWidget):
         slider = Slider(name, self)
         slider.setRange(0, count)
         slider.setAccessibleName(said)
-        slider.valueChanged.connect(self._moved)
-        slider.sliderReleased.connect(self._enter)
         label = write_label("", "value", self)
         label.setMinimumWidth(104)
         row = self.grid.rowCount()
         self.grid.addWidget(slider, row, 0)
         self.grid.addWidget(label, row, 1)
         return slider, label
-
-    def _moved(self) -> None:
-        raise NotImplementedError
-
-    def _enter(self) -> None:
-        raise NotImplementedError
 
 
 class BandRow(SliderRow):
@@ -79,6 +71,9 @@ class BandRow(SliderRow):
         ]
         self.ends = [slider for slider, _ in rows]
         self.said = [label for _, label in rows]
+        for slider in self.ends:
+            slider.valueChanged.connect(self._moved)
+            slider.sliderReleased.connect(self._enter)
 
     def show_band(self, band: object) -> None:
         """Shows a band of numbers [SI]; one of parameters is told and cannot be dragged."""
@@ -142,6 +137,8 @@ class NumberRow(SliderRow):
     ):  # fmt: skip
         super().__init__(text, unit, scale, step, parent)
         self.slider, self.said = self.add_slider(name, text, count)
+        self.slider.valueChanged.connect(self._moved)
+        self.slider.sliderReleased.connect(self._enter)
 
     def show_value(self, value: object) -> None:
         """Shows a number [SI]; a parameter is told and cannot be dragged."""
