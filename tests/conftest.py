@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from data_folder import find_data
+from tiers import name_test, read_long
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 
@@ -35,6 +36,10 @@ TIERS = {"landing": ("landing", "window"), "verify": ("verify",)}
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Tests of a later tier are left out: those of a landing run by `.ci/run`, their windows with
     all others on its X server; sweeps at full length by `./run verify`."""
+    long = read_long()
+    for item in items:
+        if name_test(item.nodeid) in long:
+            item.add_marker(pytest.mark.landing)
     asked = config.getoption("markexpr")
     left_out = {tier for tier, by in TIERS.items() if not any(mark in asked for mark in by)}
     later = [item for item in items if any(map(item.get_closest_marker, left_out))]

@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import tiers
+from tiers import name_test, read_long
 from tree import CHECKOUT
 
 TESTS = """
@@ -31,6 +33,10 @@ def collect(folder: Path, *options: str) -> set[str]:
     """The names of the tests of a file that pytest, with our settings, would run."""
     file = folder / "test_sweeps.py"
     file.write_text(TESTS)
+    return collect_of(file, *options)
+
+
+def collect_of(file: Path, *options: str) -> set[str]:
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-c", CHECKOUT / "pyproject.toml", "-p", "conftest"]
         + ["--collect-only", "-q", *options, file],
@@ -38,7 +44,7 @@ def collect(folder: Path, *options: str) -> set[str]:
         capture_output=True,
         text=True,
     )
-    return {line.split("::")[1] for line in done.stdout.splitlines() if "::" in line}
+    return {line.partition("::")[2] for line in done.stdout.splitlines() if "::" in line}
 
 
 def test_a_sweep_stays_out_of_the_everyday_tests(tmp_path):
@@ -62,3 +68,42 @@ def test_a_landing_runs_all_three():
     steps = [line for line in (CHECKOUT / ".ci/run").read_text().splitlines() if "step " in line]
     for command in ("./run test", "./run landing", "./run windows"):
         assert any(line.endswith(command) for line in steps), command
+
+
+def test_what_is_listed_as_long_is_left_out_by_name():
+    listed = sorted(read_long())[0]
+    module, name = listed.split("::")
+    file = CHECKOUT / (module.replace(".", "/") + ".py")
+
+    assert name_test(f"{module.replace('.', '/')}.py::{name}") == listed
+    assert name not in collect_of(file)
+    assert name in collect_of(file, "-m", "landing")
+
+
+def test_every_test_that_is_listed_as_long_exists():
+    missing = []
+    for listed in read_long():
+        module, name = listed.split("::")
+        file = CHECKOUT / (module.replace(".", "/") + ".py")
+        function = name.partition("[")[0]
+        if not file.exists() or f"def {function}(" not in file.read_text(encoding="utf-8"):
+            missing.append(listed)
+
+    assert missing == []
+
+
+def test_the_list_is_written_by_what_tests_took_and_keeps_what_is_everyday(tmp_path, monkeypatch):
+    monkeypatch.setattr(tiers, "LONG", tmp_path / "long.txt")
+    tiers.LONG.write_text("# kept\n# everyday: a::journey\na::left\na::quick_now\na::still\n")
+    took = {"journey": 9.0, "new": 1.6, "still": 0.8, "quick_now": 0.7, "quick": 1.4}
+    cases = "".join(
+        f'<testcase classname="a" name="{name}"><properties>'
+        f'<property name="processor_s" value="{s}"/></properties></testcase>'
+        for name, s in took.items()
+    )
+    (tmp_path / "results.xml").write_text(f"<testsuites>{cases}</testsuites>")
+
+    tiers.main(str(tmp_path / "results.xml"))
+
+    written = "# kept\n# everyday: a::journey\na::left\na::new\na::still\n"
+    assert tiers.LONG.read_text() == written
