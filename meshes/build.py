@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 from palpate.files.whole_file import write_whole
+from palpate.render.instrument_meshes import DRAWN, MESHES
 from palpate_meshes.anatomy import ATTACHMENT, GENERATORS, find_regions, generate
 from palpate_meshes.catalogue import (
     CATALOGUE,
@@ -112,6 +113,8 @@ def write_tool(name: str, parts: dict[str, tuple[np.ndarray, np.ndarray]]) -> No
     for part, (vertices, triangles) in parts.items():
         path = FOLDER / f"{name}_{part}.obj"
         write_obj(path, vertices, triangles)
+        if name in MESHES:  # the player draws it, and has no other file of this folder
+            write_whole(DRAWN / path.name, path.read_bytes())
         counts = f"vertices = {len(vertices)}, triangles = {len(triangles)}"
         rows.append(f'{part} = {{ {counts}, sha256 = "{hash_bytes(path.read_bytes())}" }}')
     lines = CATALOGUE.read_text(encoding="utf-8").split("\n")

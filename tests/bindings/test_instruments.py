@@ -13,7 +13,9 @@ import pytest
 from palpate import scenario
 from palpate.assessment.publish import read_assessment, with_assessment
 from palpate.files.refusal import Refusal
-from palpate.render import build_instrument, draw_picture, place_instrument
+from palpate.render import build_instrument, build_shade, draw_picture, place_instrument
+from palpate.render.instrument import find_rotation, name_look
+from palpate.render.instrument_shade import find_glow
 from surfaces import MEMBRANE, ellipsoid
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
@@ -72,12 +74,14 @@ def test_what_is_seen_of_an_instrument_goes_from_its_tip_along_its_shaft():
     shape = build_instrument(scene.instruments[0].tool)
     assert shape is not None and build_instrument(palpate.Tool()) is None
     turned = place_instrument(shape, (0.01, 0.0, 0.05), (0.0, np.sqrt(0.5), 0.0, np.sqrt(0.5)))
+    vertices = np.concatenate([part.shape.vertices for part in turned])
+    normals = np.concatenate([part.shape.normals for part in turned])
 
     # z became x
-    assert turned.vertices[:, 0].min() == pytest.approx(0.01 - 0.003, abs=1e-5)
-    assert turned.vertices[:, 0].max() > 0.2
-    assert np.abs(turned.vertices[:, 1]).max() == pytest.approx(0.003, abs=1e-5)
-    assert np.linalg.norm(turned.normals, axis=1) == pytest.approx(1.0, abs=1e-5)
+    assert vertices[:, 0].min() == pytest.approx(0.01 - 0.003, abs=1e-5)
+    assert vertices[:, 0].max() > 0.2
+    assert np.abs(vertices[:, 1]).max() == pytest.approx(0.003, abs=1e-5)
+    assert np.linalg.norm(normals, axis=1) == pytest.approx(1.0, abs=1e-5)
 
     x = np.asarray(palpate.surface_position(palpate.World(scene).bodies[0]))
     faces = scene.bodies[0].tissue.triangles
@@ -113,3 +117,28 @@ def test_the_example_of_two_instruments_holds():
     program = MESHES.parent / "tests" / "examples" / "two_instruments" / "two_instruments.py"
 
     assert runpy.run_path(str(program))["main"]() == 0
+
+
+def test_an_instrument_is_drawn_as_what_of_it_touches():
+    wide, thin = palpate.Tool(radius=0.005), palpate.Tool(radius=0.0025)
+    for tool in (wide, thin):
+        tool.capsules = [palpate.Capsule(to=[0.0, 0.0, 0.02])]
+    assert [name_look(t) for t in (palpate.Tool(), thin, wide)] == ["ball", "probe", "laparoscope"]
+    drawn = build_instrument(wide)
+    assert drawn is not None
+    x = drawn.parts[0].shape.vertices
+    tip = x[x[:, 2] < 0.25]
+    assert np.abs(tip[:, :2]).max() == pytest.approx(0.005, abs=1e-5)
+    # the lens is slanted: its foremost point stands out of the round end that touches
+    assert -0.010 < x[:, 2].min() < -0.005
+
+
+def test_the_shade_of_an_instrument_is_of_its_tip_and_its_shaft():
+    tool = palpate.Tool(radius=0.0025)
+    tool.capsules = [palpate.Capsule(to=[0.0, 0.0, 0.02])]
+    quarter = find_rotation((0.0, np.sqrt(0.5), 0.0, np.sqrt(0.5)))  # z becomes x
+    shade = build_shade(tool, (0.0, 0.0, 0.1), quarter, glow=find_glow(True, 1.0))
+
+    assert shade.from_ == pytest.approx(np.array([[0, 0, 0.1], [0.02, 0, 0.1]]), abs=1e-7)
+    assert shade.to == pytest.approx(np.array([[0.02, 0, 0.1], [0.25, 0, 0.1]]), abs=1e-7)
+    assert find_glow(False, 9.0) == 0.0 < shade.glow < find_glow(True, 5.0) == 1.0

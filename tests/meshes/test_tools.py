@@ -6,6 +6,9 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
+from palpate.render import DrawnInstrument, DrawnPart, place_instrument
+from palpate.render.instrument import METAL
+from palpate.render.instrument_meshes import DRAWN, MESHES, read_part
 from palpate_editor.authoring import inspect_mesh
 from palpate_meshes.catalogue import hash_bytes, read_tool_catalogue
 from palpate_meshes.tools import FOLDER, build_tools, open_jaws, read_tool, read_tool_names
@@ -173,3 +176,34 @@ def test_what_there_is_not_is_refused():
         open_jaws(read_tool("syringe"), 0.5)
     with pytest.raises(ValueError, match="share must be 0 to 1"):
         open_jaws(read_tool("grasper"), 1.5)
+
+
+@pytest.mark.parametrize("name", list(MESHES))
+def test_what_is_drawn_of_an_instrument_is_what_ships(name):
+    mesh, tool = MESHES[name], read_tool(name)
+    assert {part.name for part in mesh.parts} == {f"{name}_{part}" for part in tool.parts}
+    for part in mesh.parts:
+        ships = (FOLDER / f"{part.name}.obj").read_bytes()
+        assert (DRAWN / f"{part.name}.obj").read_bytes() == ships
+        if tool.jaws is not None:
+            assert part.turns == tool.jaws.turns.get(part.name.removeprefix(f"{name}_"), 0.0)
+    shaft = next(shape for shape in tool.shapes if shape.part == "shaft")
+    assert mesh.radius == shaft.radius
+    assert mesh.tip == -tool.shapes[0].a[2]
+    assert mesh.hinge == (0.0 if tool.jaws is None else -tool.jaws.hinge[2])
+
+
+def test_drawn_jaws_open_as_those_that_ship():
+    tool, mesh = read_tool("grasper"), MESHES["grasper"]
+    parts = tuple(
+        DrawnPart(read_part(part.name), METAL, part.turns) for part in mesh.parts if part.turns
+    )
+    drawn = DrawnInstrument(parts, mesh.hinge)
+    opened = open_jaws(tool, 0.5)
+    placed = place_instrument(drawn, (0, 0, 0), (0, 0, 0, 1), 0.5 * tool.jaws.open)
+    for part, now in zip([p for p in mesh.parts if p.turns], placed, strict=True):
+        wanted = opened[part.name.removeprefix("grasper_")][0] * (1.0, -1.0, -1.0)
+        low, high = now.shape.vertices.min(axis=0), now.shape.vertices.max(axis=0)
+        assert low == pytest.approx(wanted.min(axis=0), abs=1e-7)
+        assert high == pytest.approx(wanted.max(axis=0), abs=1e-7)
+        assert np.linalg.norm(now.shape.normals, axis=1) == pytest.approx(1.0, abs=1e-5)

@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import QCoreApplication, QLocale
 
 import palpate
 from palpate.command.sentence import fill
 from palpate.command.verb import Report
 from palpate.runs.alarms import advise_hand, say_alarm, say_safeguard
+from palpate.runs.live import Frame
 
 translate = QCoreApplication.translate
 
@@ -132,8 +134,20 @@ def say_keys() -> list[tuple[str, str]]:
         (translate("Player", "Space"), translate("Player", "pause")),
         ("R", translate("Player", "restart")),
         ("T", translate("Player", "task")),
+        ("F", translate("Player", "force arrow")),
         ("F11", translate("Player", "full screen")),
         ("Esc", translate("Player", "menu")),
+    ]
+
+
+def say_forces(frame: Frame) -> list[tuple[str, str]]:
+    """The force on the hand of each of several instruments; of one, the force bar tells it."""
+    if len(frame.instruments) < 2:
+        return []
+    name = translate("Player", "Instrument %1")
+    return [
+        (name.replace("%1", str(number)), f"{format_number(float(np.linalg.norm(one.force)), 2)} N")
+        for number, one in enumerate(frame.instruments, start=1)
     ]
 
 

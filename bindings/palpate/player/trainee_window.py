@@ -17,14 +17,21 @@ from palpate.player.attendance import Attendance
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.overlays import Overlays
-from palpate.player.sentences import say_damped, say_end, say_held, say_slow, translate
+from palpate.player.sentences import (
+    say_damped,
+    say_end,
+    say_forces,
+    say_held,
+    say_slow,
+    translate,
+)
 from palpate.player.style import build_palette, build_style
 from palpate.render.authored_appearance import find_appearance
 from palpate.runs.live import Frame, LiveRun
 from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
-from palpate.viewport import PointerHand, make_view
+from palpate.viewport import PointerHand, make_view, see_instruments
 from palpate.viewport.application import use_language
 from palpate.viewport.screen import fit_to_screen
 
@@ -47,9 +54,9 @@ class Phase(enum.Enum):
 
 
 class TraineeWindow(QWidget):
-    """Plays a scenario. Space pauses, R starts again, T folds the task, F11 fills the screen, Esc
-    opens the menu, Enter takes what a board offers, and C clears the fault of a device that has cut
-    its motors.
+    """Plays a scenario. Space pauses, R starts again, T folds the task, F shows the force as an
+    arrow or not, F11 fills the screen, Esc opens the menu, Enter takes what a board offers, and C
+    clears the fault of a device that has cut its motors.
     """
 
     closed = Signal()
@@ -130,7 +137,8 @@ class TraineeWindow(QWidget):
         self._tell_loss()
         self.view.move_surface(self._rest)
         self.view.show_force(None)
-        self.view.show_tool(None)
+        self.view.show_instruments(())
+        self.view.hud.show_rows(())
         if isinstance(hand, palpate.SurfacePointer):
             if self.hand is not None:
                 self.hand.deleteLater()
@@ -186,11 +194,11 @@ class TraineeWindow(QWidget):
     def _show(self, frame: Frame) -> None:
         self._time = frame.time
         self.view.move_surface(join_positions(frame.positions))
-        tool, seen = self.scene.instruments[0].tool, frame.instruments[0]
-        self.view.show_instrument(tool, frame.tool_position, seen.tool_orientation)
+        self.view.show_instruments(see_instruments(self.scene, frame))
         self.view.force_scale = ARROW * self.view.scenery.radius / self.over.force.range
         self.view.show_force(frame.tool_position, frame.force)
         self._force = float(np.linalg.norm(frame.force))
+        self.view.hud.show_rows(say_forces(frame))
         self.over.clock.show_time(frame.time)
         self._tell_steps(frame.task)
         self.attendance.take(frame)
@@ -342,6 +350,8 @@ class TraineeWindow(QWidget):
                 self.open_menu()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._press_board()
+        elif key == Qt.Key.Key_F:
+            self.view.shows_force = not self.view.shows_force
         elif key == Qt.Key.Key_T:
             self.over.task.toggle()
         elif key == Qt.Key.Key_R:

@@ -6,7 +6,14 @@ from palpate.render.colour_map import Legend, build_legend
 from palpate.render.context import describe_gl, open_context
 from palpate.render.error import RenderError
 from palpate.render.force_plot import draw_force_plot, save_force_plot
-from palpate.render.instrument import build_instrument, place_instrument
+from palpate.render.instrument import (
+    DrawnInstrument,
+    DrawnPart,
+    build_instrument,
+    build_trocar,
+    place_instrument,
+)
+from palpate.render.instrument_shade import InstrumentShade, build_shade
 from palpate.render.part import Appearance, Part, Pattern, build_appearance
 from palpate.render.picture import Picture, draw_picture, save_picture, write_png
 from palpate.render.renderer import Renderer, Tile
@@ -14,6 +21,9 @@ from palpate.render.shapes import Shape, build_arrow, build_capsule, build_spher
 
 __all__ = [
     "Camera",
+    "DrawnInstrument",
+    "DrawnPart",
+    "InstrumentShade",
     "Legend",
     "Appearance",
     "Part",
@@ -28,7 +38,9 @@ __all__ = [
     "build_legend",
     "build_appearance",
     "build_instrument",
+    "build_shade",
     "build_sphere",
+    "build_trocar",
     "describe_gl",
     "draw_force_plot",
     "draw_picture",

@@ -53,6 +53,8 @@ class Appearance:
     pattern: Pattern | None = None
     """Drawn where no colour map is."""
     casts_shadow: bool = True
+    receives_instruments: bool = False
+    """Whether instruments cast their shadow, their ring and their glow on it: tissue."""
     seen_through: bool = False
     """Whether it shines through what hides it, as a tool inside a dent must."""
     ghost: float = 0.3
@@ -81,6 +83,7 @@ def build_appearance(part: AppearancePart) -> Appearance:
         roughness=part.roughness,
         subsurface=part.subsurface,
         pattern=pattern,
+        receives_instruments=True,
     )
 
 

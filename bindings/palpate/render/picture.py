@@ -6,6 +6,7 @@ from __future__ import annotations
 import io
 import math
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,6 +18,8 @@ import palpate
 from palpate.files.whole_file import write_whole
 from palpate.render.camera import Camera
 from palpate.render.colour_map import build_legend
+from palpate.render.instrument import METAL, DrawnPart
+from palpate.render.instrument_shade import InstrumentShade
 from palpate.render.overlay import Overlay
 from palpate.render.part import Appearance
 from palpate.render.shapes import (
@@ -28,7 +31,7 @@ from palpate.render.shapes import (
     require_positive,
 )
 from palpate.render.studio import Shot, Thing, take_picture
-from palpate.render.theme import FORCE, STEEL, THEMES, TISSUE, Colour
+from palpate.render.theme import FORCE, THEMES, TISSUE, Colour
 
 Array = NDArray[np.float64]
 
@@ -61,8 +64,10 @@ class Picture:
     """(n,) 0 to 1, what is highlighted."""
     tool: tuple[ArrayLike, float] | None = None
     """Centre [m] and radius [m] of the tip."""
-    instrument: Shape | None = None
+    instrument: Sequence[DrawnPart] = ()
     """[m] What is drawn in the place of the tip's ball: an instrument where it is."""
+    shade: InstrumentShade | None = None
+    """Its shadow on the organ and its glow; without one, those of the tip's ball."""
     force: ArrayLike | None = None
     """[N] (3,) what the hand feels: an arrow from the middle of the tool, which it needs."""
     force_scale: float | None = None
@@ -115,7 +120,8 @@ def draw_picture(vertices: ArrayLike, triangles: ArrayLike, **options: Any) -> N
     if arrow is not None:
         label_arrow(overlay, camera, arrow, picture.size)
     floor = float(things[0].points()[:, 2].min())
-    shot = Shot(camera, picture.size, picture.supersample, theme, legend, floor)
+    shades = find_shades(picture)
+    shot = Shot(camera, picture.size, picture.supersample, theme, legend, floor, shades)
     return overlay.blend(take_picture(things, shot))
 
 
@@ -175,12 +181,13 @@ def build_organ(
         colour=picture.colour,
         mapped=values is not None,
         wired=picture.wireframe,
+        receives_instruments=True,
         gloss=0.55 if values is None else 0.4,
         # red light creeping round would be read as a value
         subsurface=0.3 if values is None else 0.0,
     )
     if picture.appearance is not None and values is None:
-        appearance = replace(picture.appearance, wired=picture.wireframe)
+        appearance = replace(picture.appearance, wired=picture.wireframe, receives_instruments=True)
     selection = picture.selection
     return Thing(
         x,
@@ -196,10 +203,8 @@ def build_tool(picture: Picture, arrow: Arrow | None) -> list[Thing]:
     """The tip and its force, where there are any."""
     things = []
     if picture.tool is not None:
-        shape = picture.instrument or build_sphere(*picture.tool)
-        things.append(
-            as_thing(shape, Appearance(STEEL, gloss=1.0, subsurface=0.0, seen_through=True))
-        )
+        ball = DrawnPart(build_sphere(*picture.tool), METAL)
+        things += [as_thing(part.shape, part.appearance) for part in picture.instrument or (ball,)]
     if arrow is not None:
         sign = build_arrow(arrow.start, arrow.end, arrow.radius)
         # a sign, not a thing: it leaves no shadow
@@ -208,6 +213,16 @@ def build_tool(picture: Picture, arrow: Arrow | None) -> list[Thing]:
         )
         things.append(as_thing(sign, appearance))
     return things
+
+
+def find_shades(picture: Picture) -> tuple[InstrumentShade, ...]:
+    """What the instrument does to the look of the organ."""
+    if picture.shade is not None:
+        return (picture.shade,)
+    if picture.tool is None:
+        return ()
+    middle = as_point(picture.tool[0], "tool")[None]
+    return (InstrumentShade(middle, middle, float(picture.tool[1])),)
 
 
 def as_thing(shape: Shape, appearance: Appearance) -> Thing:

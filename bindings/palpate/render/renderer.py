@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import moderngl
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from palpate.render.camera import Camera
 from palpate.render.colour_map import COLOUR_MAPS, LUT_SIZE, Legend
 from palpate.render.ground import Ground
+from palpate.render.instrument_shade import InstrumentShade, ShadeUniforms
 from palpate.render.part import Appearance, Part, Pattern
 from palpate.render.program import build_program, write_matrix
 from palpate.render.shadow import ShadowMap
@@ -57,7 +59,8 @@ class Renderer:
         self.wire_width = 1.0
         """[px]"""
         self._centre, self._radius = np.zeros(3), 1.0
-        self._surfaces: dict[tuple[bool, bool], moderngl.Program] = {}
+        self._shades = ShadeUniforms()
+        self._surfaces: dict[tuple[bool, bool, bool], moderngl.Program] = {}
         self._bare = self._choose_surface(False, False)
         self._backdrop = context.vertex_array(build_program(context, "background"), [])
         self._colours = context.texture((LUT_SIZE, 1), 3, dtype="f4")
@@ -85,6 +88,10 @@ class Renderer:
     def use_bounds(self, centre: ArrayLike, radius: float) -> None:
         """The ball [m] that holds all that is in sight."""
         self._centre, self._radius = np.asarray(centre, dtype=float), radius
+
+    def use_instruments(self, shades: Sequence[InstrumentShade]) -> None:
+        """Those that cast a shadow on the tissue, glow where they touch it and have a ring."""
+        self._shades.use(shades)
 
     def draw(
         self,
@@ -137,12 +144,18 @@ class Renderer:
         self._colours.write(colours.astype(np.float32).tobytes())
 
     def _choose_surface(self, shaded: bool, patterned: bool) -> moderngl.Program:
-        """With shadows and patterns only where they are asked for: they are most of the work."""
-        if (shaded, patterned) not in self._surfaces:
-            defines = {"SHADOW_TAPS": SHADOW_TAPS if shaded else 0, "PATTERN": int(patterned)}
+        """With shadows, patterns and instruments only where there are any: they are most of the
+        work."""
+        key = (shaded, patterned, self._shades.capsules > 0)
+        if key not in self._surfaces:
+            defines = {
+                "SHADOW_TAPS": SHADOW_TAPS if shaded else 0,
+                "PATTERN": int(patterned),
+                "INSTRUMENTS": int(key[2]),
+            }
             program = build_program(self.context, "surface", geometry=True, defines=defines)
-            self._surfaces[shaded, patterned] = program
-        return self._surfaces[shaded, patterned]
+            self._surfaces[key] = program
+        return self._surfaces[key]
 
     def _draw_backdrop(self, size: tuple[int, int], tile: Tile) -> None:
         self.context.enable_only(moderngl.NOTHING)
@@ -174,6 +187,8 @@ class Renderer:
         program["highlight"].value = decode(SELECTED)
         program["colours"].value = COLOURS_UNIT
         self._colours.use(COLOURS_UNIT)
+        if self._shades.capsules > 0:
+            self._shades.write(program)
         if not shaded:
             return
         program["shadow"].value = SHADOW_UNIT
@@ -221,6 +236,8 @@ class Renderer:
             write_pattern(program, appearance.pattern)
         program["wire_width"].value = self.wire_width if appearance.wired else 0.0
         program["opacity"].value = opacity
+        if self._shades.capsules > 0:
+            program["tissue"].value = appearance.receives_instruments
         part.draw(program)
 
 

@@ -14,6 +14,7 @@ from palpate.render.camera import Camera
 from palpate.render.colour_map import Legend
 from palpate.render.context import open_context
 from palpate.render.ground import build_ground
+from palpate.render.instrument_shade import InstrumentShade
 from palpate.render.openness import Sky
 from palpate.render.part import Appearance
 from palpate.render.renderer import Renderer, Tile
@@ -61,6 +62,8 @@ class Shot:
     legend: Legend | None
     floor: float
     """[m] height of the floor."""
+    shades: tuple[InstrumentShade, ...] = ()
+    """Of the instruments among the things."""
 
 
 def take_picture(things: Sequence[Thing], shot: Shot) -> NDArray[np.uint8]:
@@ -84,6 +87,7 @@ def arrange(renderer: Renderer, things: Sequence[Thing], shot: Shot) -> None:
     centre, radius = find_ball(things)
     renderer.use_bounds(centre, radius)
     renderer.shadow_softness = SHADOW_SOFTNESS
+    renderer.use_instruments(shot.shades)
     renderer.wire_width = max(0.7, WIRE_WIDTH * shot.size[1] / 720) * shot.supersample
     if shot.legend is not None:
         renderer.use_legend(shot.legend)

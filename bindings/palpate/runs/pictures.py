@@ -49,7 +49,9 @@ def picture_of_record(
     """Draws the organs of a record at a time [s], or where a force was greatest, with the
     instrument that felt most then; returns when.
     """
-    from palpate.render import build_instrument, place_instrument, save_picture
+    from palpate.render import build_instrument, build_shade, place_instrument, save_picture
+    from palpate.render.instrument import find_rotation
+    from palpate.render.instrument_shade import find_glow
 
     record, where, scene = open_record(record_path, scene_path)
     times = read_column(record, "hand", "time").astype(float)
@@ -63,9 +65,10 @@ def picture_of_record(
     world = pose_at(scene, record, tick)
     x = join_positions([np.asarray(palpate.surface_position(body)) for body in world.bodies])
     its, state = scene.instruments[felt].tool, world.instruments[felt].tool
-    shape = build_instrument(its)
-    if shape is not None:
-        shape = place_instrument(shape, state.position, state.orientation)
+    drawn = build_instrument(its)
+    parts = () if drawn is None else place_instrument(drawn, state.position, state.orientation)
+    glow = find_glow(bool(state.touching), float(sizes[felt, tick]))
+    shade = build_shade(its, state.position, find_rotation(state.orientation), glow)
     save_picture(
         out,
         x,
@@ -73,7 +76,8 @@ def picture_of_record(
         values=1e3 * np.linalg.norm(x - join_rest_surfaces(scene), axis=1),
         legend="displacement [mm]",
         tool=(np.asarray(state.position), its.radius),
-        instrument=shape,
+        instrument=parts,
+        shade=shade,
         force=forces[felt, tick],
         title=title or name_scene(where),
         **options,

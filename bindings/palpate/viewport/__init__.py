@@ -7,6 +7,7 @@ Needs PySide6, which the plain `palpate` distribution does not: pip install "pal
 from palpate.viewport.fbo_view import FboView
 from palpate.viewport.gl_view import GLView
 from palpate.viewport.hud import Hud
+from palpate.viewport.instruments import SeenInstrument, see_instruments
 from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.make_view import View, make_view
 from palpate.viewport.pointer_hand import Grip, PointerHand
@@ -20,8 +21,10 @@ __all__ = [
     "Hud",
     "LegendBar",
     "PointerHand",
+    "SeenInstrument",
     "View",
     "ViewBase",
     "ViewTool",
     "make_view",
+    "see_instruments",
 ]

@@ -6,10 +6,11 @@ from __future__ import annotations
 from palpate.render import Appearance
 from palpate.render.theme import FORCE, STEEL
 
-PLAIN = Appearance(gloss=0.55, subsurface=0.3)
+PLAIN = Appearance(gloss=0.55, subsurface=0.3, receives_instruments=True)
 # red light creeping round would be read as a value
-PAINTED = Appearance(mapped=True, gloss=0.4, subsurface=0.0)
-TOOL = Appearance(STEEL, gloss=1.0, subsurface=0.0, seen_through=True)
+PAINTED = Appearance(mapped=True, gloss=0.4, subsurface=0.0, receives_instruments=True)
+# its shadow is that of InstrumentShade
+TOOL = Appearance(STEEL, gloss=1.0, subsurface=0.0, seen_through=True, casts_shadow=False)
 # a force that pushes the hand into the organ is read as well
 ARROW = Appearance(
     FORCE, gloss=0.3, subsurface=0.0, seen_through=True, ghost=0.75, casts_shadow=False

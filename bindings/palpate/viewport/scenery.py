@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import moderngl
 import numpy as np
@@ -17,10 +17,9 @@ from palpate.render import (
     Renderer,
     Shape,
     build_arrow,
-    build_instrument,
     build_sphere,
-    place_instrument,
 )
+from palpate.render.instrument_shade import InstrumentShade
 from palpate.render.theme import DARK, THEMES
 from palpate.viewport.appearance import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.dents import Dents
@@ -64,8 +63,8 @@ class Scenery:
         """[m] the ball around the surface as it was shown first."""
         self._things: dict[str, Thing] = {}
         self._arrow: tuple[float, ...] = ()
-        self._look: tuple[Any, ...] = ()
-        self._instrument: Shape | None = None
+        self.shades: tuple[InstrumentShade, ...] = ()
+        """Of the instruments in sight."""
         self._gone: list[Thing] = []
         self._renderer: Renderer | None = None
         self._sky: SkyLight | None = None
@@ -162,25 +161,20 @@ class Scenery:
         self._draw_dent(centre, radius)
         if centre is None:
             self._hide("tool")
-            self._hide("instrument")
             return
-        thing = self._use("tool", len(BALL.vertices), BALL.triangles, TOOL)
+        self.show_ball("tool", centre, radius)
+
+    def show_ball(self, name: str, centre: ArrayLike, radius: float) -> None:
+        """The tip of an instrument without a shaft [m], by name."""
+        thing = self._use(name, len(BALL.vertices), BALL.triangles, TOOL)
         thing.write("normal", BALL.normals)
         thing.place(BALL.vertices, radius, centre)
 
-    def show_instrument(
-        self, tool: palpate.Tool, position: ArrayLike, orientation: ArrayLike
-    ) -> None:
-        """An instrument of capsules with its shaft, turned by (x, y, z, w); a ball as a ball."""
-        look = (tool.radius, *(tuple((*part.from_, *part.to)) for part in tool.capsules))
-        if look != self._look:
-            self._look, self._instrument = look, build_instrument(tool)
-            self._drop("instrument")
-        if self._instrument is None:
-            self.show_tool(position, tool.radius)
-            return
-        self.show_tool(None, tool.radius)
-        self.show_part("instrument", place_instrument(self._instrument, position, orientation))
+    def shade(self, shades: Sequence[InstrumentShade]) -> None:
+        """Shadow, ring and glow of the instruments on the surface; none takes them away."""
+        if shades or self.shades:
+            self.shades = tuple(shades)
+            self.version += 1
 
     def show_force(
         self, tail: ArrayLike | None, point: ArrayLike | None = None, radius: float = 0.0
@@ -237,8 +231,13 @@ class Scenery:
         seen = np.concatenate([self.vertices[self._used], self.room])
         return seen if len(seen) else np.zeros((1, 3))
 
-    def pick(self, origin: Array, direction: Array) -> palpate.SurfacePoint | None:
-        """Where a ray first meets the surface from its outer side."""
+    def find_nearest(self, point: ArrayLike) -> palpate.SurfacePoint | None:
+        """The point of the surface that is nearest to one [m]."""
+        tree = self._refit()
+        return None if tree is None else palpate.find_closest_point(tree, self.vertices, point)
+
+    def _refit(self) -> palpate.AabbTree | None:
+        """Of the surface as it is shown; None where there is none."""
         if not len(self.triangles):
             return None
         if self._tree is None:
@@ -246,7 +245,14 @@ class Scenery:
         elif self._tree_is_stale:
             self._tree.refit(self.vertices)
         self._tree_is_stale = False
-        hit = palpate.find_ray_hit(self._tree, self.vertices, origin, direction)
+        return self._tree
+
+    def pick(self, origin: Array, direction: Array) -> palpate.SurfacePoint | None:
+        """Where a ray first meets the surface from its outer side."""
+        tree = self._refit()
+        if tree is None:
+            return None
+        hit = palpate.find_ray_hit(tree, self.vertices, origin, direction)
         if hit is None:
             return None
         a, b, c = self.vertices[self.triangles[hit.triangle]]
@@ -276,6 +282,7 @@ class Scenery:
         renderer.theme = self.theme
         renderer.shadow_softness, renderer.wire_width = shadow_softness, wire_width
         renderer.use_bounds(self.centre, ROOM * self.radius)
+        renderer.use_instruments(self.shades)
         if self.legend is not None:
             renderer.use_legend(self.legend)
         surface = self._things.get("surface")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 
 import numpy as np
@@ -17,6 +18,7 @@ from palpate.viewport.canvas import Canvas
 from palpate.viewport.force_arrow import choose_radius, keep_in_sight
 from palpate.viewport.hint_line import HintLine
 from palpate.viewport.hud import Hud
+from palpate.viewport.instruments import Instruments, SeenInstrument
 from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.scenery import ARROW_RADIUS, Scenery
 from palpate.viewport.view_events import ViewEvents
@@ -44,11 +46,13 @@ class ViewBase(ViewEvents):
     def set_up(self) -> None:
         """The rest of __init__, after that of the widget."""
         self.scenery = Scenery()
+        self.instruments = Instruments(self.scenery)
         self.camera = Camera()
         self.listen()
         self.force_scale = 0.01
         self.legend, self.hud, self.hint = LegendBar(self), Hud(self), HintLine(self)
         self._force: tuple[Array, Array] | None = None
+        self._shows_force = True
         self._framed = True
         self._margins = (0, 0, 0, 0)
         self._canvas: Canvas | None = None
@@ -113,11 +117,9 @@ class ViewBase(ViewEvents):
         self.scenery.show_tool(centre, radius)
         self.update()
 
-    def show_instrument(
-        self, tool: palpate.Tool, position: ArrayLike, orientation: ArrayLike
-    ) -> None:
-        """The instrument as it is held: position [m], turned by (x, y, z, w)."""
-        self.scenery.show_instrument(tool, position, orientation)
+    def show_instruments(self, seen: Sequence[SeenInstrument]) -> None:
+        """The instruments as they are held, with shadow, ring and glow; none takes them away."""
+        self.instruments.show(seen)
         self.update()
 
     def show_force(self, start: ArrayLike | None, vector: ArrayLike | None = None) -> None:
@@ -140,6 +142,16 @@ class ViewBase(ViewEvents):
         """Something beside the surface, by a name of its own; its triangles stay. None takes it
         away."""
         self.scenery.show_part(name, shape, appearance)
+        self.update()
+
+    @property
+    def shows_force(self) -> bool:
+        """Whether a force is drawn as an arrow."""
+        return self._shows_force
+
+    @shows_force.setter
+    def shows_force(self, shown: bool) -> None:
+        self._shows_force = bool(shown)
         self.update()
 
     @property
@@ -260,6 +272,7 @@ class ViewBase(ViewEvents):
     def draw_frame(self, canvas: Canvas) -> bool:
         """Draws a frame where something has changed, and has the fine one begun when it rests."""
         self._place_arrow()
+        self.instruments.shade(self.pixel_size_at(self.scenery.centre))
         drawn = canvas.draw(*self.shot())
         if drawn and canvas.is_software:
             self._rest.start(REST_MS)
@@ -271,7 +284,7 @@ class ViewBase(ViewEvents):
 
     def _place_arrow(self) -> None:
         """Where it is in sight, for the camera as it stands now."""
-        if self._force is None:
+        if self._force is None or not self._shows_force:
             self.scenery.show_force(None)
             return
         size = self._size()
@@ -314,9 +327,9 @@ class ViewBase(ViewEvents):
         self._place_children()
 
     def _place_children(self) -> None:
-        self.legend.move(QPoint(EDGE, EDGE))
-        self.hud.move(QPoint(self.width() - self.hud.width() - EDGE, EDGE))
         left, _, right, bottom = self._margins
+        self.legend.move(QPoint(EDGE, EDGE))
+        self.hud.move(QPoint(self.width() - right - self.hud.width() - EDGE, EDGE))
         middle = (left + self.width() - right) / 2
         self.hint.place(middle, self.height() - EDGE - bottom, self.width() - left - right - EDGE)
 

@@ -661,6 +661,14 @@
         <translation>&amp;Görünüm</translation>
     </message>
     <message>
+        <source>&amp;Force as an arrow</source>
+        <translation>Kuvveti &amp;ok olarak göster</translation>
+    </message>
+    <message>
+        <source>Force {number}</source>
+        <translation>Kuvvet {number}</translation>
+    </message>
+    <message>
         <source>&amp;Wireframe</source>
         <translation>Tel &amp;kafes</translation>
     </message>

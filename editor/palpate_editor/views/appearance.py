@@ -39,6 +39,7 @@ class Appearance(QObject):
             actions.check(f"language_{code}")
         actions.check("colour_auto")
         actions.actions["wireframe"].setChecked(self.context.view.wireframe)
+        actions.actions["force_arrow"].setChecked(self.context.view.shows_force)
         self.dress()
 
     def dress(self) -> None:

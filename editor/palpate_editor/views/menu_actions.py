@@ -86,6 +86,9 @@ class MenuActions(QObject):
     def switch_wireframe(self) -> None:
         self.context.view.wireframe = not self.context.view.wireframe
 
+    def switch_force_arrow(self) -> None:
+        self.context.view.shows_force = not self.context.view.shows_force
+
     def colour_auto(self) -> None:
         self.display.use_colouring("auto")
 

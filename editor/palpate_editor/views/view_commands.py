@@ -46,6 +46,14 @@ def view_commands(w: CommandTargets) -> list[Command]:
             "wire",
             checkable=True,
         ),
+        Command(
+            "force_arrow",
+            "view",
+            tr("&Force as an arrow"),
+            w.menu_actions.switch_force_arrow,
+            ("Shift+F",),
+            checkable=True,
+        ),
     ]
     commands += [
         Command(f"look_{i}", "directions", text, slot, (key,))

@@ -360,6 +360,14 @@
         <translation>yeniden başlat</translation>
     </message>
     <message>
+        <source>force arrow</source>
+        <translation>kuvvet oku</translation>
+    </message>
+    <message>
+        <source>Instrument %1</source>
+        <translation>Alet %1</translation>
+    </message>
+    <message>
         <source>full screen</source>
         <translation>tam ekran</translation>
     </message>

@@ -44,6 +44,16 @@ uniform float vein_strength;     // 0 to 1
 uniform float relief;            // height of the pattern in parts of its size
 #endif
 
+// INSTRUMENTS, 0 where none is near, is defined by the program for the same reason.
+#if INSTRUMENTS
+uniform vec4 capsule_from[16];  // [m] one end of the axis and, in w, the radius
+uniform vec4 capsule_to[16];    // [m] the other end and, in w, 0 to 1: how what it touches glows
+uniform vec4 rings[4];          // [m] a point of the surface and, in w, the radius of a ring round it
+uniform int capsule_count;
+uniform int ring_count;
+uniform bool tissue;            // whether instruments cast their shadow on this part
+#endif
+
 out vec4 result;
 
 const vec3 KEY = vec3(1.00, 0.965, 0.92);
@@ -51,6 +61,11 @@ const vec3 FILL = vec3(0.62, 0.74, 0.92);
 const vec3 RIM = vec3(0.80, 0.90, 1.00);
 const vec3 SKY = vec3(0.94, 0.97, 1.00);
 const vec3 FLOOR = vec3(0.50, 0.44, 0.41);
+#if INSTRUMENTS
+const vec3 GLOW = vec3(1.00, 0.72, 0.22);
+const float GLOW_REACH = 0.0022;  // [m] in which it has faded to a third
+const float RING_WIDTH = 2.6;     // [px]
+#endif
 
 // Screens end at white: what is brighter rolls off instead of being cut.
 vec3 encode(vec3 light) {
@@ -146,6 +161,59 @@ float lit(vec3 n) {
 #endif
 }
 
+#if INSTRUMENTS
+// How near the axis of a capsule comes to the ray from here to the lamp, and how far along the ray:
+// the closest points of a ray and a segment, each clamped in turn [Ericson04].
+vec2 meet_lamp(vec3 a, vec3 b) {
+  vec3 along = b - a, away = fragment.position - a;
+  float aa = dot(along, along), ba = dot(to_key, along);
+  float ca = dot(along, away), cl = dot(to_key, away);
+  float u = 0.0, denominator = aa - ba * ba;
+  if (aa > 1e-14) u = denominator > 1e-9 * aa ? clamp((ca - ba * cl) / denominator, 0.0, 1.0) : 0.0;
+  float t = max(u * ba - cl, 0.0);
+  if (aa > 1e-14) u = clamp((ca + t * ba) / aa, 0.0, 1.0);
+  return vec2(length(away + t * to_key - u * along), t);
+}
+
+// [m] From here to the axis of a capsule.
+float measure_gap(vec3 a, vec3 b) {
+  vec3 along = b - a, away = fragment.position - a;
+  float aa = dot(along, along);
+  float u = aa > 1e-14 ? clamp(dot(away, along) / aa, 0.0, 1.0) : 0.0;
+  return length(away - u * along);
+}
+
+// Share of the key light that the instruments leave; x is that, y how much this glows. The edge of
+// the shadow is soft with the distance, as under a lamp that is 7 degrees wide.
+vec2 pass_instruments(vec3 n) {
+  float left = 1.0, glow = 0.0;
+  for (int i = 0; i < capsule_count; ++i) {
+    vec3 a = capsule_from[i].xyz, b = capsule_to[i].xyz;
+    float radius = capsule_from[i].w;
+    vec2 met = meet_lamp(a, b);
+    float soft = 0.12 * radius + 0.06 * met.y;
+    left = min(left, smoothstep(radius - soft, radius + soft, met.x));
+    float apart = max(measure_gap(a, b) - radius, 0.0) / GLOW_REACH;
+    glow = max(glow, capsule_to[i].w * exp(-apart * apart));
+  }
+  // what faces away from the lamp is dark by itself
+  return vec2(mix(1.0, left, smoothstep(0.0, 0.15, dot(n, to_key))), glow);
+}
+
+// A ring round the point that is nearest to a tip: light between two dark edges, so that it is seen on
+// whatever is painted.
+vec3 draw_rings(vec3 c) {
+  for (int i = 0; i < ring_count; ++i) {
+    float apart = length(fragment.position - rings[i].xyz) - rings[i].w;
+    // at its outline the surface runs away from the eye, and a pixel there covers any distance
+    float away = abs(apart) / clamp(fwidth(apart), 1e-9, 0.08 * rings[i].w);
+    c = mix(c, vec3(0.03), 0.7 * (1.0 - smoothstep(RING_WIDTH - 0.5, RING_WIDTH + 0.5, away)));
+    c = mix(c, vec3(0.95), 1.0 - smoothstep(0.5 * RING_WIDTH - 0.5, 0.5 * RING_WIDTH + 0.5, away));
+  }
+  return c;
+}
+#endif
+
 // 1 on an edge of the triangle, 0 away from it; edges that would run together fade away.
 float wire() {
   if (wire_width <= 0.0) return 0.0;
@@ -174,6 +242,10 @@ void main() {
 
   float open = clamp(fragment.openness, 0.0, 1.0);
   float shade = lit(n);
+#if INSTRUMENTS
+  vec2 passed = tissue ? pass_instruments(n) : vec2(1.0, 0.0);
+  shade *= passed.x;
+#endif
   // red light travels farthest through tissue, so its edge of the shade lies farthest round
   vec3 wrap = subsurface * vec3(1.0, 0.45, 0.35);
   vec3 key = max((vec3(dot(n, to_key)) + wrap) / (1.0 + wrap), 0.0) * mix(0.12, 1.0, shade);
@@ -185,6 +257,10 @@ void main() {
   vec3 light = 1.1 * KEY * key * mix(0.6, 1.0, open);
   light += 0.16 * FILL * fill * fill * open;
   light += ambient * mix(FLOOR, SKY, 0.5 + 0.5 * n.z) * open;
+#if INSTRUMENTS
+  // what is so near to the surface keeps light from all around from it as well
+  light *= mix(0.62, 1.0, passed.x);
+#endif
   vec3 c = albedo * light;
 
   float mirror = max(dot(n, normalize(to_key + v)), 0.0);
@@ -192,6 +268,10 @@ void main() {
   float window = pow(max(dot(n, normalize(to_fill + v)), 0.0), 50.0);
   c += gloss * shade * KEY * (0.30 * sharp + 0.085 * broad) + gloss * 0.06 * FILL * window * open;
   c += RIM * rim * open * (0.10 + 0.35 * albedo) * 1.3;
+
+#if INSTRUMENTS
+  if (tissue) c = draw_rings(c + passed.y * GLOW * (0.35 + 0.65 * albedo));
+#endif
 
   result = vec4(encode(c), opacity);
 }

@@ -12,7 +12,7 @@ from palpate.runs.cause import Cause
 from palpate.runs.element import Element
 from palpate.runs.live import Frame, LiveRun
 from palpate.translation.numbers import say_digits
-from palpate.viewport import View
+from palpate.viewport import View, see_instruments
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from palpate_editor.document.constants import LAW_NAMES, find_constant
@@ -95,7 +95,7 @@ class Trial(QObject):
         """The organ at rest again, without tool and arrow."""
         self.view.move_surface(self._rest)
         self.view.show_values(None)
-        self.view.show_tool(None)
+        self.view.show_instruments(())
         self.view.show_force(None)
         self.view.hud.show_rows(())
 
@@ -114,13 +114,12 @@ class Trial(QObject):
         self._top = max(self._top, round_up(float(moved.max(initial=0.0))))
         self.view.move_surface(position)
         self.view.show_values(1e3 * moved, tr("displacement [mm]"), (0.0, 1e3 * self._top))
-        tool, seen = self.scene.instruments[0].tool, frame.instruments[0]
-        self.view.show_instrument(tool, frame.tool_position, seen.tool_orientation)
+        self.view.show_instruments(see_instruments(self.scene, frame))
         size = float(np.linalg.norm(frame.force))
         self._show_force(frame, size)
         share = frame.cost * self.scene.rate
         rows = [
-            (tr("Force"), say_digits(f"{size:.2f} N")),
+            *name_forces(frame),
             (tr("Time"), say_digits(f"{frame.time:.1f} s")),
             (tr("Tick"), f"{100 * share:.0f} %"),
         ]
@@ -138,6 +137,17 @@ class Trial(QObject):
             frame.tool_position + away * self.scene.instruments[0].tool.radius,
             away * min(size, self._most),
         )
+
+
+def name_forces(frame: Frame) -> list[tuple[str, str]]:
+    """The force on the hand of each instrument."""
+    sizes = [float(np.linalg.norm(one.force)) for one in frame.instruments]
+    if len(sizes) == 1:
+        return [(tr("Force"), say_digits(f"{sizes[0]:.2f} N"))]
+    return [
+        (fill(tr("Force {number}"), number=number), say_digits(f"{size:.2f} N"))
+        for number, size in enumerate(sizes, start=1)
+    ]
 
 
 def name_safeguard(safeguard: palpate.Safeguard) -> str | None:
