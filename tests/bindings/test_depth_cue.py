@@ -108,6 +108,7 @@ def test_the_ring_closes_by_15_pixels_between_heights_of_10_5_and_2_mm(case, qtb
 
 
 @pytest.mark.window
+@pytest.mark.landing
 def test_neither_a_shadow_nor_a_line_to_the_tissue_moves_so_far_at_every_angle(qtbot):
     """The two cues that were tried beside the ring. The shadow is drawn all the same."""
     least = {"shadow": math.inf, "line": math.inf}
