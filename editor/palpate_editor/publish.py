@@ -10,7 +10,8 @@ from pathlib import Path
 
 from palpate import FileError, Scene, scenario
 from palpate.assessment.author import without_muted
-from palpate.assessment.check import ERROR, find_problems
+from palpate.assessment.check import find_problems
+from palpate.assessment.check_problem import ERROR
 from palpate.assessment.publish import with_assessment
 from palpate.command.verb import Report
 from palpate.scene.scene_file import hash_file

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 from palpate import scenario
-from palpate.assessment import author
+from palpate.assessment import author, author_values
 from palpate.assessment.author import AuthorError
 from palpate.assessment.check import find_problems
+from palpate.assessment.check_parts import find_all_problems
 from palpate.assessment.publish import read_assessment, with_assessment
 from palpate.cli.main import main
 
@@ -164,3 +165,160 @@ def test_a_self_play_and_a_review_travel_with_the_file_and_are_void_after_a_chan
     assert {(p.severity, p.where) for p in problems} == {
         ("warning", "selfplay"), ("warning", "reviews[0]"),
     }  # fmt: skip
+
+
+def test_levels_and_parameters_are_drawn_as_they_were_set():
+    organ = scenario.read(PUBLISHED / "simple_tissue.palpate")
+    new = made()
+    for level in ("normal", "hard"):
+        new = author_values.add_level(new, level)
+    new = author_values.set_parameter(new, "least", {"unit": "N", "value": 0.2})
+    new = author_values.set_level_value(new, "least", "hard", 0.3)
+    new = author_values.set_parameter(new, "bound", {"unit": "N", "uniform": [1.0, 2.0]})
+    new = author_values.use_in_step(new, "hold", "force_N", 0, "least")
+    new = author_values.use_in_limit(new, "force", "bound", "N")
+    made_of = with_assessment("mine", new, organ)
+
+    normal, hard = (scenario.draw_task(made_of, level) for level in ("normal", "hard"))
+
+    assert (normal.task.steps[1].force.least, hard.task.steps[1].force.least) == (0.2, 0.3)
+    bounds = [scenario.draw_task(made_of, "hard", seed).task.limits[0].bound for seed in range(9)]
+    assert len(set(bounds)) == 9 and 1.0 <= min(bounds) < max(bounds) <= 2.0
+
+
+def test_what_is_used_cannot_be_taken_away():
+    new = author_values.set_parameter(made(), "least", {"unit": "N", "value": 0.2})
+    new = author_values.use_in_step(new, "hold", "force_N", 0, "least")
+    with pytest.raises(AuthorError, match="used by step hold"):
+        author_values.remove_parameter(new, "least")
+    with pytest.raises(AuthorError, match="that of step touch"):
+        author_values.remove_place(new, "middle")
+    freed = author.change_step(new, "hold", {"force_N": [0.1, 0.4]})
+    assert "parameters" not in author_values.remove_parameter(freed, "least")
+
+
+@pytest.mark.parametrize(
+    ("act", "said"),
+    [
+        (lambda a: author_values.set_parameter(a, "x", {"unit": "kg", "value": 1.0}), "unit"),
+        (lambda a: author_values.set_parameter(a, "x", {"unit": "N"}), "no value"),
+        (lambda a: author_values.set_parameter(a, "X Y", {"unit": "N", "value": 1.0}), "small"),
+        (lambda a: author_values.set_level_value(a, "p", "hard", 1.0), "none yet"),
+        (lambda a: author_values.use_in_step(a, "hold", "depth_m", 0, "p"), "unit N, expected m"),
+        (lambda a: author_values.add_level(author_values.add_level(a, "x"), "x"), "once more"),
+        (lambda a: author_values.remove_level(a, "x"), "none yet"),
+        (lambda a: author_values.remove_parameter(a, "q"), "expected one of p"),
+        (lambda a: author_values.set_time(a, 0.0), "more than 0"),
+        (lambda a: author_values.set_time(a, float("nan")), "more than 0"),
+    ],
+)
+def test_a_value_that_cannot_be_is_refused(act, said):
+    new = author_values.set_parameter(made(), "p", {"unit": "N", "value": 0.2})
+    with pytest.raises(AuthorError, match=said):
+        act(new)
+
+
+def test_a_level_goes_with_its_values():
+    new = author_values.add_level(made(), "hard")
+    new = author_values.set_parameter(new, "p", {"unit": "N", "value": 0.2})
+    new = author_values.set_level_value(new, "p", "hard", 0.3)
+    gone = author_values.remove_level(new, "hard")
+    assert "levels" not in gone and gone["parameters"]["p"] == {"unit": "N", "value": 0.2}
+
+
+def test_every_action_of_the_stage_is_a_verb(tmp_path, capsys):
+    organ, task = PUBLISHED / "simple_tissue.palpate", tmp_path / "task.json"
+    out = tmp_path / "task.palpate"
+    record = tmp_path / "run.prec"
+
+    def call(*arguments: str) -> int:
+        return main(["scenario", *map(str, arguments)])
+
+    assert call("new", organ, "-o", task, "--title", "Mine", "--title-tr", "Benim") == 0
+    assert call("place", task, "--set", "spot", "--at", "region:middle") == 0
+    assert call("step", task, "--add", "hold", "--at", "spot") == 0
+    assert call("level", task, "--add", "normal") == 0
+    assert call("level", task, "--add", "hard") == 0
+    assert call("parameter", task, "--set", "most", "--unit", "N", "--value", "1.5",
+                "--level", "hard=1") == 0  # fmt: skip
+    assert call("limit", task, "--add", "force", "--above", "$most") == 0
+    assert call("step", task, "--change", "hold", "--force", "0.1N..$most") == 0
+    assert call("time", task, "45s") == 0
+    assert call("text", task, "title", "Başlık", "--in", "tr") == 0
+    assert call("publish", organ, task, "-o", out) == 0
+    drawn = scenario.draw_task(scenario.read(out), "hard")
+    assert (drawn.task.time_limit, drawn.task.limits[0].bound) == (45.0, 1.0)
+    assert drawn.task.steps[0].force.most == 1.0
+    assert read_assessment(task)["texts"]["tr"]["title"] == "Başlık"
+
+    script = tmp_path / "press.json"
+    keys = [(0.0, 0.02), (0.5, 0.006), (1.5, 0.006), (2.0, 0.02)]
+    top = scenario.read(organ).scene.bodies[0].tissue.rest_position[:, 2].max()
+    frames = [{"time": time, "position": [0.0, 0.0, top + height]} for time, height in keys]
+    script.write_text(json.dumps({"format": "palpate script", "version": 1, "frames": frames}))
+    assert main(["play", str(organ), "--headless", "--device", f"script:{script}",
+                 "--record", str(record)]) == 0  # fmt: skip
+    assert call("record", task, "hold", record, organ) == 0
+    least, most = read_assessment(task)["steps"][0]["force_N"]
+    assert most == pytest.approx(1.5 * least, rel=0.01)
+
+    before = task.read_bytes()
+    assert call("record", task, "nothing", record, organ) == 2
+    assert call("place", task, "--remove", "spot") == 2
+    assert call("place", task, "--set", "spot") == 2
+    assert call("text", task, "nothing", "x") == 2
+    assert call("parameter", task, "--set", "most", "--level", "easy=1") == 2
+    assert task.read_bytes() == before
+
+
+def test_check_lists_what_is_wrong_with_every_part_at_once(tmp_path, capsys):
+    organ = scenario.read(PUBLISHED / "simple_tissue.palpate")
+    new = made()
+    new["steps"][0]["at"] = "nowhere"
+    new["steps"][1]["force_N"] = [0.4, 0.1]
+    new["steps"].append({"id": "odd", "do": "carve", "at": "middle", "say": "title"})
+    new["steps"].append({**new["steps"][1], "force_N": [0.1, 0.4], "after": ["nobody"]})
+    new["limits"][0]["when"]["above"] = "$unknown"
+    del new["texts"]["tr"]["step-touch"]
+
+    found = find_all_problems("mine", new, organ)
+
+    where = [each.where for each in found]
+    for part in ("steps[0]", "steps[1]", "steps[2]", "steps[3].after", "steps[3].id", "limits[0]",
+                 "texts.tr.step-touch"):  # fmt: skip
+        assert any(each.startswith(part) for each in where), (part, where)
+    path = tmp_path / "task.json"
+    path.write_text(json.dumps(new))
+    call = ["scenario", "check", str(path), "--organ", str(PUBLISHED / "simple_tissue.palpate")]
+    assert main(call) == 1
+    assert capsys.readouterr().out.count("error:") >= 6
+    assert find_all_problems("mine", made(), organ) == []
+
+
+def problems_of(new: author.Json) -> list[str]:
+    organ = scenario.read(PUBLISHED / "simple_tissue.palpate")
+    found = find_problems(with_assessment("mine", new, organ))
+    return [f"{each.severity} {each.where}: {each.message}" for each in found]
+
+
+def test_a_place_where_no_hand_gets_is_a_problem():
+    new, far = author.add_place(made(), "far", {"organ": "simple-tissue",
+                                                "ball": [0, 0, 0.2, 0.01]})  # fmt: skip
+    new, line = author.add_place(new, "line", {"organ": "simple-tissue",
+                                               "path": [[0, 0, 0], [0, 0, 0.1]]})  # fmt: skip
+    new, _ = author.add_step(new, "touch", far)
+    new, _ = author.add_step(new, "trace", line)
+    said = problems_of(new)
+    assert any(row.startswith("error steps.touch-2: its ball lies") for row in said)
+    assert any(row.startswith("error steps.trace: its path lies") for row in said)
+    assert any(row.startswith("warning steps.touch-2: its place lies") for row in said)
+
+
+def test_a_limit_beyond_the_coupling_and_a_step_overdue_at_once_are_problems():
+    new = author.change_limit(made(), "force", {"above": 5.0})
+    new = author.change_step(new, "hold", {"within_s": 1.0, "for_s": 2.0})
+    new["goals"].append({"metric": "time", "at_most": 60.0, "basis": {"kind": "designer"}})
+    said = problems_of(new)
+    assert "error limits.force: is at 5 N, and the coupling gives 5 N at most" in said
+    assert "error steps.hold: lasts 2 s, and is an error after 1 s" in said
+    assert any(row.startswith("warning goals[1]: is at most 60 s") for row in said)

@@ -14,7 +14,10 @@ from palpate.player.trainee_window import Phase
 from palpate.records.people import find_person
 from palpate.records.queries import list_attempts, show_attempt
 from palpate.records.store import ENVIRONMENT, Store
+from palpate.runs.device_check import Stage
 from palpate.runs.play import Play, open_play
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
 from trainees import texts
 from windows import LEFT, grab
@@ -48,9 +51,11 @@ def database(tmp_path, monkeypatch) -> Path:
 class Scripted(Play):
     """A mouse's window, whose hand is a careful one."""
 
-    def build_hand(self) -> palpate.HapticDevice:
+    def build_hand(self, scene: palpate.Scene | None = None) -> palpate.HapticDevice:
         from palpate.assessment.selfplay import attempt
 
+        if scene is not None:  # of the check of the device
+            return palpate.SurfacePointer(scene)
         assert self.drawn is not None
         return palpate.ReplayDevice(attempt(self.scenario.scene, self.drawn, "careful").samples)
 
@@ -88,7 +93,7 @@ def test_a_walk_through_all_screens_keeps_the_attempt(
 
     click(over.who.new)
     assert over.board() is over.consent
-    code = window.attendance._person.code
+    code = window.attendance.admission.person.code
     assert any(code in text for text in texts(window))
     picture(window, checkout, f"{language}_2_consent")
     click(over.consent.agree)
@@ -119,6 +124,17 @@ def test_a_walk_through_all_screens_keeps_the_attempt(
     play_to_the_end(window, qtbot)
     assert over.debrief.history.isVisible()
     assert len(list_attempts(Store())) == 2
+    heard = window.attendance.signals.heard
+    assert any(window.play.say_limits()[0] in caption for caption in heard)
+
+    click(over.debrief.see_history)
+    assert over.board() is over.history
+    (trend,) = over.history.trends
+    assert trend.isVisible()
+    assert [done for _, done in trend.points] == [True, True]
+    picture(window, checkout, f"{language}_6_history")
+    QTest.keyClick(window, Qt.Key.Key_Return)
+    assert over.board() is over.debrief
 
 
 def test_who_comes_back_needs_a_code_and_two_clicks(open_window, qtbot, short_task, database):
@@ -223,3 +239,189 @@ def test_a_card_leads_to_its_window_and_back_with_the_attempt_on_it(
     click(window.window_of_play.over.start.start)
     assert window.window_of_play.phase is Phase.running
     window.window_of_play.close()
+
+
+def test_a_ghost_shows_the_task_before_it_is_played_and_keeps_nothing(
+    open_window, qtbot, short_task, database, checkout
+):
+    window = open_window(open_task(short_task))
+    over, ghost = window.over, window.attendance.ghost
+    click(over.who.guest)
+    click(over.consent.agree)
+    assert over.board() is over.start
+    click(over.start.ghost)
+    assert over.board() is None
+    qtbot.waitUntil(lambda: ghost.run is not None, timeout=PATIENCE)
+    done = palpate.StepStatus.done
+    qtbot.waitUntil(
+        lambda: window.play.state is not None and window.play.state.steps[0].status is done,
+        timeout=PATIENCE,
+    )
+    assert "simulated hand shows" in over.warning.sentence
+    picture(window, checkout, "en_ghost")
+
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+
+    assert over.board() is over.start
+    assert (over.warning.sentence, window.play.state) == ("", None)
+    assert list_attempts(Store()) == []
+    assert window.play.records == []
+    click(over.start.ghost)  # computed once: shown at once
+    assert ghost.run is not None
+    click_start(window)
+    assert ghost.run is None
+    window.close()
+
+
+def click_start(window: TraineeWindow) -> None:
+    """R, while the ghost is shown."""
+    QTest.keyClick(window, Qt.Key.Key_R)
+    assert window.phase is Phase.running
+
+
+def test_a_simulated_hand_gets_ready_beside_the_window(open_window, qtbot, short_task):
+    play = open_play(short_task, "script:careful")
+    window = open_window(play)
+
+    window.restart()
+
+    assert window.phase is Phase.ready  # nothing was computed in the window's own thread
+    assert window.preparation.running
+    assert "gets ready" in window.over.warning.sentence
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert not window.preparation.running
+    assert window.over.board() is window.over.start
+    window.restart()
+    qtbot.waitUntil(lambda: window.phase is Phase.running, timeout=PATIENCE)
+    assert window.over.warning.sentence == ""
+    samples = play.samples
+    window.restart()  # not computed again
+    assert (window.phase, play.samples) == (Phase.running, samples)
+    window.close()
+
+
+def test_no_ghost_gives_away_what_is_to_be_found(open_window, database, tmp_path):
+    path = MESHES / "scenarios" / "liver_hidden_lump.json"
+    organ = scenario.read(MESHES / "published" / "liver.palpate")
+    out = tmp_path / "lump.palpate"
+    scenario.write(out, with_assessment(path, read_assessment(path), organ))
+    window = open_window(open_play(out))
+    assert not window.attendance.ghost.is_offered()
+    click(window.over.who.practice)
+    assert not window.over.start.ghost.isVisible()
+    window.close()
+
+
+def test_no_run_begins_before_it_is_known_who_plays(open_window, short_task, database):
+    window = open_window(open_task(short_task))
+    over = window.over
+    over.who.new.setFocus()
+    QTest.keyClick(window, Qt.Key.Key_R)
+    assert (window.phase, over.board()) == (Phase.ready, over.who)
+    click(over.who.new)
+    for key in (Qt.Key.Key_R, Qt.Key.Key_Space):
+        window.keyPressEvent(QKeyEvent(QEvent.Type.KeyPress, key, Qt.KeyboardModifier.NoModifier))
+    assert (window.phase, over.board()) == (Phase.ready, over.consent)
+    assert window.play.records == []
+    window.close()
+
+
+def test_keys_alone_lead_from_who_to_play_and_to_the_menu(open_window, qtbot, short_task, database):
+    window = open_window(open_task(short_task))
+    over = window.over
+
+    def go_to(button) -> None:
+        for _ in range(30):
+            if window.focusWidget() is button:
+                return
+            QTest.keyClick(window.focusWidget() or window, Qt.Key.Key_Tab)
+        raise AssertionError(button.text())
+
+    go_to(over.who.new)
+    QTest.keyClick(over.who.new, Qt.Key.Key_Return)
+    assert over.board() is over.consent
+    QTest.keyClick(window.focusWidget(), Qt.Key.Key_Return)
+    assert over.board() is over.start
+    go_to(over.start.check)
+    QTest.keyClick(window.focusWidget(), Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: over.board() is over.check, timeout=PATIENCE)
+    assert any("no force" in text for text in texts(window))
+    QTest.keyClick(window.focusWidget(), Qt.Key.Key_Return)
+    assert over.board() is over.start
+    QTest.keyClick(window.focusWidget(), Qt.Key.Key_Return)
+    assert window.phase is Phase.running
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert over.board() is over.menu
+    go_to(over.menu.sounds.buttons["on"])  # of a row Tab knows the one that is down
+    QTest.keyClick(window.focusWidget(), Qt.Key.Key_Right)
+    QTest.keyClick(window.focusWidget(), Qt.Key.Key_Space)
+    assert not window.attendance.signals.audible
+    go_to(over.menu.quit)
+    QTest.keyClick(window.focusWidget(), Qt.Key.Key_Return)
+    assert not window.isVisible()
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_a_mouse_is_told_that_it_gives_no_force_after_three_seconds(
+    open_window, qtbot, short_task, database, language, checkout
+):
+    window = open_window(open_task(short_task))
+    over = window.over
+    click(over.who.languages.buttons[language])
+    click(over.who.guest)
+    click(over.consent.agree)
+    surface = len(window.view.scenery.triangles)
+    click(over.start.check)
+    assert over.board() is None
+    assert len(window.view.scenery.triangles) == 288  # the wall, 12 by 12 squares
+    picture(window, checkout, f"{language}_check_running")
+    qtbot.waitUntil(lambda: over.board() is over.check, timeout=PATIENCE)
+
+    assert len(window.view.scenery.triangles) == surface
+    picture(window, checkout, f"{language}_check")
+    assert {"en": "not comparable", "tr": "karşılaştırılamaz"}[
+        language
+    ] in over.check.summary.text()
+    keeper = window.attendance.keeper
+    with keeper.store.begin() as connection:
+        kept = connection.exec_driver_sql('select "check" from session').scalar_one()
+    assert "no force; not comparable" in kept
+    click(over.check.go)
+    assert over.board() is over.start
+    window.close()
+
+
+@pytest.mark.landing
+def test_an_arm_is_checked_before_it_is_played_and_a_failed_check_leaves_practice(
+    open_window, qtbot, short_task, database, checkout
+):
+    play = open_play(short_task, "plant")
+    window = open_window(play)
+    over, check = window.over, window.attendance.admission.check
+    arms, build = [], play.build_device
+    play.build_device = lambda hand: arms.append(build(hand)) or arms[-1]
+    click(over.who.guest)
+    click(over.consent.agree)
+    assert check.busy and over.board() is None
+    qtbot.waitUntil(lambda: check.check is not None and check.check.stage is Stage.stop,
+                    timeout=PATIENCE)  # fmt: skip
+    picture(window, checkout, "en_check_stop")
+    arms[0].press_stop(True)
+    qtbot.waitUntil(lambda: check.check is None or check.check.stopped, timeout=PATIENCE)
+    arms[0].press_stop(False)
+    qtbot.waitUntil(lambda: over.board() is over.check, timeout=PATIENCE)
+
+    # the mouse did not move: nothing was touched
+    report = window.attendance.admission.checked
+    failed = {each["name"] for each in report["checks"] if not each["ok"]}
+    assert {"targets", "wall"} <= failed
+    assert "stop" in {each["name"] for each in report["checks"]} - failed
+    assert not over.check.go.isVisible()
+    picture(window, checkout, "en_check_failed")
+    QTest.keyClick(window, Qt.Key.Key_R)
+    assert window.phase is Phase.ready
+    click(over.check.practice)
+    click(over.start.start)
+    assert window.phase is Phase.running
+    assert list_attempts(Store()) == []
+    window.close()

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import palpate
 from palpate import scenario
+from palpate.assessment.check_problem import ERROR, WARNING, Problem
+from palpate.assessment.check_reach import check_limits, check_reach, check_times
 from palpate.assessment.provenance import find_void
 from palpate.assessment.texts import UNITS, find_numbers
 
@@ -19,19 +20,8 @@ SHARE_OF_LIMIT = 0.8
 """[-] A target must lie below this part of a limit beside it, for hands tremble."""
 SHARE_OF_TIME = 0.5
 """[-] All dwells together must take less than this part of the time limit."""
-ERROR, WARNING = "error", "warning"
 
 Json = Mapping[str, Any]
-
-
-@dataclass(frozen=True)
-class Problem:
-    """One thing that is wrong."""
-
-    severity: str
-    """ERROR or WARNING."""
-    where: str
-    message: str
 
 
 def find_problems(published: scenario.Scenario) -> list[Problem]:
@@ -51,7 +41,7 @@ def find_problems(published: scenario.Scenario) -> list[Problem]:
                 found[each] = None
             for each in check_attempt(published.scene, drawn):
                 found[each] = None
-    for each in check_texts(assessment):
+    for each in [*check_texts(assessment), *check_goals(assessment)]:
         found[each] = None
     for where in find_void(published):
         text = "is of another task or organ than this file has now, and void"
@@ -83,6 +73,9 @@ def check_attempt(scene: palpate.Scene, drawn: scenario.DrawnTask) -> Iterator[P
             text = f"asks for {least:g} N, and the coupling gives {device:g} N at most"
             yield Problem(ERROR, where, text)
         yield from check_against_limits(drawn, number, where)
+    yield from check_reach(scene, drawn, level)
+    yield from check_limits(scene, drawn, level)
+    yield from check_times(drawn, level)
     yield from check_order(drawn, level)
     dwells = sum(step.duration for step in drawn.task.steps)
     if dwells >= SHARE_OF_TIME * drawn.task.time_limit:
@@ -144,6 +137,17 @@ def find_before(task: palpate.Task, number: int) -> set[int]:
             before.add(other)
             left += task.steps[other].after
     return before
+
+
+def check_goals(assessment: Json) -> Iterator[Problem]:
+    """A goal of time that nobody can miss: the task is over before."""
+    limit = assessment["finish"]["time_limit_s"]
+    for number, goal in enumerate(assessment.get("goals", [])):
+        most = goal.get("at_most")
+        numbers = isinstance(most, int | float) and isinstance(limit, int | float)
+        if goal["metric"] == "time" and numbers and most >= limit:
+            text = f"is at most {most:g} s, and the task is over after {limit:g} s"
+            yield Problem(WARNING, f"goals[{number}]", text)
 
 
 def check_texts(assessment: Json) -> Iterator[Problem]:

@@ -56,9 +56,18 @@ class Attempt:
         }
 
 
-def attempt(scene: palpate.Scene, drawn: scenario.DrawnTask, hand: str) -> Attempt:
+def never() -> bool:
+    return False
+
+
+def attempt(
+    scene: palpate.Scene,
+    drawn: scenario.DrawnTask,
+    hand: str,
+    stopped: Callable[[], bool] = never,
+) -> Attempt:
     """One of HANDS at a task, in as many ticks as that takes; a jab is over with its first error,
-    for it cannot finish without one any more.
+    for it cannot finish without one any more. `stopped` is asked every few ticks, and ends it.
     """
     task, dt = drawn.task, 1.0 / scene.rate
     world, progress = palpate.World(scene), palpate.Progress(task)
@@ -81,6 +90,8 @@ def attempt(scene: palpate.Scene, drawn: scenario.DrawnTask, hand: str) -> Attem
             played.state = progress.state
         if hand == "jab" and played.state.errors > 0:
             played.state = progress.state
+            break
+        if tick % GLANCE == 0 and stopped():
             break
         tick += 1
     return played

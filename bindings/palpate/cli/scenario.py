@@ -8,7 +8,9 @@ import sys
 from pathlib import Path
 
 from palpate import scenario
-from palpate.assessment.check import ERROR, find_problems
+from palpate.assessment.check import find_problems
+from palpate.assessment.check_parts import find_all_problems
+from palpate.assessment.check_problem import ERROR
 from palpate.assessment.provenance import (
     REVIEWED,
     describe_selfplay,
@@ -18,8 +20,15 @@ from palpate.assessment.provenance import (
 from palpate.assessment.publish import read_assessment, require_assessment, with_assessment
 from palpate.assessment.selfplay import Attempt, judge_hands, play_all
 from palpate.assessment.texts import find_text
-from palpate.cli import scenario_author
-from palpate.cli.scenario_author import describe_authored, run_limit, run_new, run_step
+from palpate.cli import scenario_author, scenario_values
+from palpate.cli.scenario_author import (
+    CHANGES,
+    describe_authored,
+    run_limit,
+    run_new,
+    run_step,
+    run_value,
+)
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall
 from palpate.files.file_kind import PUBLISHED as PUBLISHED_FILE
@@ -38,7 +47,8 @@ def add_scenario(parser: argparse.ArgumentParser) -> None:
     publish.add_argument("assessment", type=Path, help="assessment, .json")
     add_output(publish, "-o", "--out", writes=PUBLISHED_FILE, required=True, help="the new file")
     check = actions.add_parser("check", help="list all that is wrong with a scenario's task")
-    check.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}")
+    check.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}, or assessment")
+    check.add_argument("--organ", type=Path, help=f"that an assessment, .json, is of: {PUBLISHED}")
     selfplay = actions.add_parser(
         "selfplay", help="let careful, idle, violent and clumsy hands play every level"
     )
@@ -58,7 +68,11 @@ def add_scenario(parser: argparse.ArgumentParser) -> None:
     scenario_author.add_new(new)
     scenario_author.add_step(step)
     scenario_author.add_limit(limit)
-    for action in (publish, check, selfplay, review, new, step, limit):
+    values = []
+    for name, (words, add) in VALUES.items():
+        values.append(actions.add_parser(name, help=words))
+        add(values[-1])
+    for action in (publish, check, selfplay, review, new, step, limit, *values):
         action.add_argument(
             "--json",
             action="store_true",
@@ -67,12 +81,22 @@ def add_scenario(parser: argparse.ArgumentParser) -> None:
         )
 
 
-AUTHOR = {"new": run_new, "step": run_step, "limit": run_limit}
+VALUES = {
+    "place": ("name a place of the organ, or take one away", scenario_values.add_place),
+    "text": ("write a sentence in a language", scenario_values.add_text),
+    "level": ("add or remove a level", scenario_values.add_level),
+    "parameter": ("set a number that levels change or a seed draws", scenario_values.add_parameter),
+    "time": ("set the time limit", scenario_values.add_time),
+    "record": ("take the band of a step from a recorded hand", scenario_values.add_record),
+}
+AUTHOR = {"new": run_new, "step": run_step, "limit": run_limit, **dict.fromkeys(CHANGES, run_value)}
 
 
 def run_scenario(call: argparse.Namespace) -> Report:
     if call.action in AUTHOR:
         return {"action": call.action, **AUTHOR[call.action](call)}
+    if call.action == "check" and call.organ is not None:
+        return check_file(call.file, call.organ)
     if not is_published(call.file):
         raise Refusal(
             call.file,
@@ -117,6 +141,14 @@ def run_scenario(call: argparse.Namespace) -> Report:
 
 def tell_attempt(played: Attempt) -> None:
     print(describe_attempt(played.describe()), file=sys.stderr, flush=True)
+
+
+def check_file(file: Path, organ: Path) -> Report:
+    """All that is wrong with an assessment that is not in a package yet."""
+    assessment = read_assessment(file)
+    problems = find_all_problems(file, assessment, scenario.read(organ))
+    return {"action": "check", "scenario": str(file), "id": assessment.get("id"),
+            "title": "", "problems": [vars(problem) for problem in problems]}  # fmt: skip
 
 
 def publish(file: Path, assessment: Path, out: Path) -> Report:

@@ -13,6 +13,8 @@ from palpate import scenario
 from palpate.assessment import author
 from palpate.assessment.author import AuthorError, Json
 from palpate.assessment.publish import find_regions, read_assessment
+from palpate.cli import scenario_values
+from palpate.cli.scenario_places import add_at, find_place
 from palpate.command.output import add_output
 from palpate.command.verb import Report, WrongCall, quantity
 from palpate.files.file_kind import ASSESSMENT
@@ -20,20 +22,28 @@ from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.runs.run import PUBLISHED
 
-BAND = "LEAST..MOST, either may be left out"
+BAND = "LEAST..MOST, either may be left out, or $ and the name of a parameter"
 
 
 def band_of(unit: str) -> Any:
     """A reader of 0.2N..0.5N, 4mm.. and ..1.5N."""
     one = quantity(unit)
 
-    def read(text: str) -> list[float | None]:
+    def read(text: str) -> list[float | str | None]:
         least, dots, most = text.partition("..")
         if not dots or not (least or most):
             raise argparse.ArgumentTypeError(f"got {text!r}, expected {BAND}")
-        return [one(end) if end else None for end in (least, most)]
+        return [end if end.startswith("$") else one(end) if end else None for end in (least, most)]
 
     return read
+
+
+def read_bound(text: str) -> float | str:
+    """1.5, or $limit."""
+    try:
+        return text if text.startswith("$") else float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"got {text!r}, expected a number or $NAME") from None
 
 
 def add_new(parser: argparse.ArgumentParser) -> None:
@@ -74,21 +84,16 @@ def add_limit(parser: argparse.ArgumentParser) -> None:
     what.add_argument("--change", metavar="ID")
     what.add_argument("--remove", metavar="ID")
     parser.add_argument("--id", default="", help="of a new limit; default: its measure")
-    parser.add_argument("--above", type=float, help="[N], [m], [m/s] or [N/s], as measured")
-    parser.add_argument("--below", type=float, help="likewise")
+    parser.add_argument(
+        "--above",
+        type=read_bound,
+        help="[N], [m], [m/s] or [N/s], as measured, or $ and a parameter",
+    )
+    parser.add_argument("--below", type=read_bound, help="likewise")
     parser.add_argument("--for", dest="for_s", type=quantity("s"), help="default: 0.02s")
     parser.add_argument("--then", choices=author.CONSEQUENCES, default="")
     add_at(parser)
     add_say(parser)
-
-
-def add_at(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--at",
-        metavar="PLACE",
-        help="a place of the assessment, region:NAME of the organ, ball:X,Y,Z,RADIUS or "
-        "path:X,Y,Z:X,Y,Z..., in metres",
-    )
 
 
 def add_say(parser: argparse.ArgumentParser) -> None:
@@ -116,6 +121,11 @@ def run_limit(call: argparse.Namespace) -> Report:
     return run_change(change_limit, call)
 
 
+def run_value(call: argparse.Namespace) -> Report:
+    """place, text, level, parameter, time or record."""
+    return run_change(CHANGES[call.action], call)
+
+
 def run_change(
     change: Callable[[Json, argparse.Namespace], Json], call: argparse.Namespace
 ) -> Report:
@@ -128,6 +138,16 @@ def run_change(
         raise Refusal(
             call.file, "", f"no assessment ({problem!r})", "one as `new` writes"
         ) from None
+
+
+CHANGES: dict[str, Callable[[Json, argparse.Namespace], Json]] = {
+    "place": scenario_values.change_place,
+    "text": scenario_values.change_text,
+    "level": scenario_values.change_level,
+    "parameter": scenario_values.change_parameter,
+    "time": scenario_values.change_time,
+    "record": scenario_values.change_recorded,
+}
 
 
 def change_step(made: Json, call: argparse.Namespace) -> Json:
@@ -184,7 +204,6 @@ def take_place(made: Json, told: str | None) -> tuple[Json, str | None]:
     if not told:
         return made, None
     kind, colon, rest = told.partition(":")
-    organ = next(iter(made["organs"]))
     if not colon:
         known = ", ".join(made.get("places", {})) or "none yet"
         if told not in made.get("places", {}) and not told.startswith("$"):
@@ -192,24 +211,8 @@ def take_place(made: Json, told: str | None) -> tuple[Json, str | None]:
                 f"--at: got {told!r}, expected region:, ball:, path: or one of {known}"
             )
         return made, told
-    if kind == "region":
-        return author.add_place(made, rest, {"region": f"{organ}/{rest}"})
-    if kind == "ball":
-        return author.add_place(made, "spot", {"organ": organ, "ball": read_numbers(rest, 4)})
-    if kind == "path":
-        points = [read_numbers(point, 3) for point in rest.split(":")]
-        return author.add_place(made, "line", {"organ": organ, "path": points})
-    raise AuthorError(f"--at: got {told!r}, expected a place, region:, ball: or path:")
-
-
-def read_numbers(text: str, count: int) -> list[float]:
-    try:
-        numbers = [float(part) for part in text.split(",")]
-    except ValueError:
-        numbers = []
-    if len(numbers) != count:
-        raise AuthorError(f"--at: got {text!r}, expected {count} numbers with commas between [m]")
-    return numbers
+    name = {"region": rest, "ball": "spot", "path": "line"}.get(kind, kind)
+    return author.add_place(made, name, find_place(made, told))
 
 
 def write(path: Path, made: Json, more: Report) -> Report:

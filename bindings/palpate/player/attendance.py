@@ -1,37 +1,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whose attempts a window plays, what is kept of them, and what is said after each."""
+"""What goes with the attempts of a window: a brief, signals, what is kept, and a debrief."""
 
 from __future__ import annotations
 
 import json
 import math
-import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject
 
 import palpate
 from palpate.assessment.verdict import judge_goals
-from palpate.command.verb import Report, WrongCall
-from palpate.files.refusal import Refusal
+from palpate.command.verb import Report
+from palpate.player.admission import Admission
 from palpate.player.boards import Board
 from palpate.player.debrief import Debriefed
+from palpate.player.ghost import Ghost
+from palpate.player.moment_replay import MomentReplay
 from palpate.player.moments import Moment, Moments
 from palpate.player.overlays import Overlays
 from palpate.player.sentences import say_no_force, translate
-from palpate.runs.kept_play import Keeper, describe_kept, open_store
+from palpate.player.signals import Signals
+from palpate.runs.kept_play import Keeper, describe_kept
 from palpate.runs.live import Frame
 from palpate.runs.play import Play
-from palpate.translation.refusals import say_refusal
 from palpate.viewport import View
-
-if TYPE_CHECKING:
-    from palpate.records.people import Person
-    from palpate.records.store import Store
-
-SHOT_MS = 33
-"""[ms] between two pictures of a moment that is shown again."""
 
 
 class Host(Protocol):
@@ -42,6 +36,7 @@ class Host(Protocol):
     view: View
     scene: palpate.Scene
     language: str
+    theme: str
 
     def show_board(self, board: Board | None) -> None: ...
     def use_language(self, code: str) -> None: ...
@@ -55,121 +50,60 @@ class Attendance(QObject):
     def __init__(self, window: Host, parent: QObject):
         super().__init__(parent)
         self.window, self.play, self.over = window, window.play, window.over
-        self.keeper: Keeper | None = None
         self.moments = Moments()
         self.found: list[Moment] = []
-        self._store: Store | None = None
-        self._person: Person | None = None
         self._before: list[Report] = []
-        self._practice: tempfile.TemporaryDirectory[str] | None = None
+        self._limits: list[str] = []
         self._count = 0
-        self._shots: list[int] = []
-        """Which picture of which moment is shown, where one is."""
-        self._timer = QTimer(self, interval=SHOT_MS)
-        self._timer.timeout.connect(self._show_shot)
-        who, consent = self.over.who, self.over.consent
-        who.code_entered.connect(self._take_code)
-        who.new_wanted.connect(self._take_new)
-        who.guest_wanted.connect(self._take_guest)
-        who.practice_wanted.connect(self._practise)
-        who.languages.chosen.connect(window.use_language)
-        consent.agreed.connect(self._agree)
-        consent.declined.connect(self._practise)
-        self.over.debrief.restart.clicked.connect(window.restart)
-        self.over.debrief.quit.clicked.connect(window.close)
-        self.over.debrief.moment_wanted.connect(self.show_moment)
+        self._came_from: Board = self.over.start
+        self.admission = Admission(window, self)
+        self.admission.admitted.connect(self._brief)
+        self.signals = Signals(self.over, window.view, self)
+        self.moment = MomentReplay(window, self)
+        self.ghost = Ghost(window, self)
+        self.ghost.ended.connect(self._show_start)
+        start, debrief = self.over.start, self.over.debrief
+        start.ghost.clicked.connect(self.ghost.show)
+        start.ghost.setVisible(self.ghost.is_offered())
+        start.history.clicked.connect(self.show_history)
+        debrief.restart.clicked.connect(window.restart)
+        debrief.quit.clicked.connect(window.close)
+        debrief.moment_wanted.connect(self.show_moment)
+        debrief.see_history.clicked.connect(self.show_history)
+        self.over.history.back.clicked.connect(self.leave_history)
+        self.over.menu.sounds.chosen.connect(self._set_sounds)
+
+    @property
+    def keeper(self) -> Keeper | None:
+        return self.admission.keeper
 
     @property
     def practising(self) -> bool:
         """Nothing is kept: records go with the window."""
-        return self._practice is not None
+        return self.admission.practice_folder is not None
 
     @property
     def judged(self) -> bool:
         return self.play.drawn is not None
 
-    def first_board(self) -> Board:
-        """Who plays, where that is asked."""
-        asked = self.judged and self.keeper is None and not self.play.hand and not self.play.frames
-        return self.over.who if asked else self.over.start
+    def may_begin(self) -> bool:
+        """Not before a person has said who they are, and agreed or chosen practice."""
+        return self.admission.may_play
 
-    def use(self, keeper: Keeper) -> None:
-        """The attempts of a person who was named before the window."""
-        self.keeper = keeper
-        self._brief()
-
-    # ------------------------------------------------------------ who
-
-    def _open(self) -> Store | None:
-        try:
-            self._store = self._store or open_store()
-        except (OSError, Refusal) as problem:
-            text = translate("Player", "The database cannot be used, so nothing can be kept: %1")
-            self.over.who.refuse(text.replace("%1", say_refusal(str(problem))))
-            self.over.place()
-        return self._store
-
-    def _take_code(self, code: str) -> None:
-        from palpate.records.people import find_person
-
-        store = self._open()
-        if store is None:
-            return
-        self._person = find_person(store, code)
-        if self._person is None:
-            text = translate("Player", "Nobody has the code %1 on this computer.")
-            self.over.who.refuse(text.replace("%1", code))
-            self.over.place()
-        elif self._person.practice:
-            self._keep()
-        else:
-            self._ask("")
-
-    def _take_new(self) -> None:
-        self._add(guest=False)
-
-    def _take_guest(self) -> None:
-        self._add(guest=True)
-
-    def _add(self, guest: bool) -> None:
-        from palpate.records.people import add_person
-
-        store = self._open()
-        if store is not None:
-            self._person = add_person(store, guest)
-            self._ask(self._person.code or "")
-
-    def _ask(self, code: str) -> None:
-        self.over.consent.tell(self.window.language, code)
-        self.window.show_board(self.over.consent)
-
-    def _agree(self) -> None:
-        from palpate.records.people import give_consent
-
-        assert self._store is not None and self._person is not None
-        self._person = give_consent(self._store, self._person, self.window.language)
-        self._keep()
-
-    def _keep(self) -> None:
-        assert self._store is not None and self._person is not None
-        try:
-            self.keeper = Keeper(self._store, self._person, self.play)
-        except (OSError, WrongCall) as problem:
-            self.over.who.refuse(str(problem))
-            return
-        self._brief()
-
-    def _practise(self) -> None:
-        self.keeper = self._person = None
-        self._practice = tempfile.TemporaryDirectory(prefix="palpate-practice-")
-        self._brief()
+    # ------------------------------------------------------------ before
 
     def _brief(self) -> None:
         """What comes before the first attempt: steps, limits, and the attempts before."""
         self._before = [] if self.keeper is None else self.keeper.list_before()
         folder = None if self.keeper is None else self.keeper.store.traces
         limits = self.play.say_limits()
-        self.over.start.tell_brief(limits, self._before, self._has_force(), folder)
+        start = self.over.start
+        start.tell_brief(limits, self._before, self._has_force(), folder)
+        start.check.setVisible(self.judged)
+        start.history.setVisible(bool(self._before))
+        self._show_start()
+
+    def _show_start(self) -> None:
         self.window.show_board(self.over.start)
 
     def _has_force(self) -> bool:
@@ -181,11 +115,14 @@ class Attendance(QObject):
         """Where the next record goes: the trace of an attempt whose row is on the disk now, or, of
         practice, what goes with the window; None where nobody was asked.
         """
-        self._timer.stop()
+        self.close()
+        self.signals.reset()
+        self._limits = self.play.say_limits()
         self.moments, self.found = Moments(), []
-        if self._practice is not None:
+        folder = self.admission.practice_folder
+        if folder is not None:
             self._count += 1
-            return Path(self._practice.name) / f"{self._count}.prec"
+            return Path(folder) / f"{self._count}.prec"
         if self.keeper is None:
             return None
         self._before = self.keeper.list_before()
@@ -199,6 +136,7 @@ class Attendance(QObject):
         """A frame that is drawn."""
         if self.judged:
             self.moments.take(frame)
+            self.signals.take(frame.task, self._limits)
             self.over.force.show_task(*self._find_force(frame.task))
 
     def _find_force(self, state: palpate.TaskState) -> tuple[tuple[float, float] | None, float]:
@@ -255,31 +193,51 @@ class Attendance(QObject):
                 kept=kept,
             )
         )
+        self.over.debrief.see_history.setVisible(self.keeper is not None)
         return self.over.debrief
 
     def _say_practice(self) -> str:
         return translate("Player", "Practice: nothing was kept.") if self.practising else ""
 
-    # ------------------------------------------------------------ moments
+    # ------------------------------------------------------------ afterwards
 
     def show_moment(self, number: int) -> None:
         """Once more, as it was seen."""
-        self._shots = [number, 0]
-        self.window.show_board(None)
-        self._timer.start()
+        if number < len(self.found):
+            self.moment.show(self.found[number])
 
-    def _show_shot(self) -> None:
-        number, at = self._shots
-        shots = self.found[number].shots if number < len(self.found) else []
-        view = self.window.view
-        if at >= len(shots):
-            self._timer.stop()
-            view.show_force(None)
-            self.window.show_board(self.over.debrief)
+    def show_history(self) -> None:
+        """All attempts of the person so far."""
+        board = self.over.board()
+        if self.keeper is None or board is None:
             return
-        shot = shots[at]
-        view.move_surface(shot.surface)
-        view.show_tool(shot.tip, self.window.scene.instruments[0].tool.radius)
-        view.show_force(shot.tip, shot.force)
-        self.over.clock.show_time(shot.time)
-        self._shots = [number, at + 1]
+        self._came_from = board
+        self.over.history.tell(self.keeper.list_history(), self.window.theme)
+        self.window.show_board(self.over.history)
+
+    def leave_history(self) -> None:
+        if self.over.board() is self.over.history:
+            self.window.show_board(self._came_from)
+
+    def leave(self) -> bool:
+        """Esc: ends what is shown over the brief or the debrief; False where nothing is."""
+        for shown in (self.ghost, self.moment):
+            if shown.busy:
+                shown.stop()
+                return True
+        if self.admission.check.busy:
+            self.admission.check.leave()
+            return True
+        if self.over.board() is self.over.history:
+            self.leave_history()
+            return True
+        return False
+
+    def close(self) -> None:
+        """The window goes."""
+        self.ghost.close()
+        self.moment.close()
+        self.admission.check.close()
+
+    def _set_sounds(self, code: str) -> None:
+        self.signals.audible = code == "on"

@@ -107,6 +107,9 @@ class StartBoard(Board):
         for label in (self.limits, self.before, self.note):
             label.hide()
         self.start = self.add_button(main=True)
+        self.ghost, self.check, self.history = (self.add_button() for _ in range(3))
+        for button in (self.ghost, self.check, self.history):
+            button.hide()
         self.languages = Choice(self, list(LANGUAGES))
         self.rows.addWidget(self.languages)
         self._folder: Path | None = folder
@@ -146,6 +149,9 @@ class StartBoard(Board):
         self._say_brief()
         self.gestures.say()
         self.start.setText(translate("Player", "Start"))
+        self.ghost.setText(translate("Player", "Show me how it is done"))
+        self.check.setText(translate("Player", "Check the device"))
+        self.history.setText(translate("Player", "History"))
         for code, name in LANGUAGES.items():
             self.languages.buttons[code].setText(name)
         text = translate("Player", "Every run is recorded in %1")
@@ -164,8 +170,11 @@ class MenuBoard(Board):
         self.full_screen = self.add_button()
         self.languages = Choice(self, list(LANGUAGES))
         self.themes = Choice(self, ["dark", "light"])
+        self.sounds = Choice(self, ["on", "off"])
+        self.sounds.choose("on")
         self.rows.addWidget(self.languages)
         self.rows.addWidget(self.themes)
+        self.rows.addWidget(self.sounds)
         self.quit = self.add_button()
         self.keys = Table(self, say_keys)
         self.rows.addSpacing(4)
@@ -182,6 +191,8 @@ class MenuBoard(Board):
             self.languages.buttons[code].setText(name)
         self.themes.buttons["dark"].setText(translate("Player", "Dark"))
         self.themes.buttons["light"].setText(translate("Player", "Light"))
+        self.sounds.buttons["on"].setText(translate("Player", "Sounds on"))
+        self.sounds.buttons["off"].setText(translate("Player", "Sounds off"))
         self.keys.say()
 
 

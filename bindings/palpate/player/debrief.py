@@ -59,6 +59,7 @@ class DebriefBoard(Board):
         self.history_title, self.history = self.add("title"), self.add("body")
         self.kept = self.add("caption")
         self.restart = self.add_button(main=True)
+        self.see_history = self.add_button()
         self.quit = self.add_button()
         self._told: Debriefed | None = None
         self.say()
@@ -76,6 +77,7 @@ class DebriefBoard(Board):
         self.next_title.setText(translate("Player", "To try next"))
         self.history_title.setText(translate("Player", "Attempts before"))
         self.restart.setText(translate("Player", "Again"))
+        self.see_history.setText(translate("Player", "History"))
         self.quit.setText(translate("Player", "Quit"))
         told = self._told
         if told is None:

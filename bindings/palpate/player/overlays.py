@@ -11,8 +11,10 @@ from PySide6.QtWidgets import QFrame
 
 from palpate.player.boards import Board, EndBoard, MenuBoard, StartBoard
 from palpate.player.cards import Banner, ClockCard, KeyLine, Notice, TaskCard
+from palpate.player.check_board import CheckBoard
 from palpate.player.debrief import DebriefBoard
 from palpate.player.force_bar import ForceBar
+from palpate.player.history_board import HistoryBoard
 from palpate.player.people_boards import ConsentBoard, WhoBoard
 from palpate.player.sentences import say_keys, translate
 from palpate.runs.play import Play
@@ -41,12 +43,15 @@ class Overlays(QObject):
         self.keys = KeyLine(view, say_keys)
         self.warning, self.alarm = Banner(view, "warning"), Banner(view, "alarm")
         self.pause, self.device = Banner(view, "warning"), Banner(view, "alarm")
+        self.caption = Banner(view, "signal")
         self.start = StartBoard(view, play.record_folder())
         self.menu, self.end = MenuBoard(view), EndBoard(view)
         self.who, self.consent = WhoBoard(view), ConsentBoard(view)
-        self.debrief = DebriefBoard(view)
+        self.check, self.debrief = CheckBoard(view), DebriefBoard(view)
+        self.history = HistoryBoard(view)
         self.boards: tuple[Board, ...] = (
             *(self.start, self.menu, self.end), *(self.who, self.consent, self.debrief),
+            *(self.check, self.history),
         )  # fmt: skip
         self._letter = 16.0
         self._free = (0, 0, 0, 0)
@@ -72,6 +77,7 @@ class Overlays(QObject):
         self.alarm.tell("")
         self.warning.tell("")
         self.device.tell("")
+        self.caption.tell("")
         self.show_pause(False)
 
     def tell_device(self, sentence: str) -> None:
@@ -174,7 +180,7 @@ class Overlays(QObject):
         if right - left < LEAST_BANNER * m:
             left, y = 0, self.task.geometry().bottom() + EDGE // 2
         room = right - left - 2 * EDGE
-        for banner in (self.alarm, self.device, self.warning, self.pause):
+        for banner in (self.alarm, self.device, self.warning, self.pause, self.caption):
             if not banner.sentence:
                 continue
             banner.ensurePolished()

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QProcess, Qt
-from PySide6.QtGui import QCloseEvent, QPixmap
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
@@ -24,9 +24,11 @@ from PySide6.QtWidgets import (
 import palpate
 from palpate.assessment.texts import find_text
 from palpate.command.verb import Report
+from palpate.device.names import POINTER
 from palpate.files.refusal import Refusal
 from palpate.player.cards import Notice, build_label
 from palpate.player.debrief import say_goal_bound
+from palpate.player.history_board import HistoryBoard
 from palpate.player.sentences import say_earlier, translate
 from palpate.player.style import build_palette, build_style
 from palpate.player.trainee_window import TraineeWindow
@@ -118,18 +120,28 @@ class ScenarioCard(QFrame):
 class ScenariosWindow(QWidget):
     """Opens the trainee's window of a card, and comes back when that is closed."""
 
-    def __init__(self, folder: Path, theme: str = "dark", language: str = "en"):
+    def __init__(
+        self, folder: Path, theme: str = "dark", language: str = "en", device: str = POINTER
+    ):
         super().__init__()
         self.folder, self.theme, self.language = folder, theme, language
+        self.device = device
         self.window_of_play: TraineeWindow | None = None
         self.keeper: Keeper | None = None
         """Who played last: the next card asks them nothing."""
+        self.checked: Report | None = None
+        """What the check of their device has found."""
         self._waiting: list[ScenarioCard] = []
         self._drawing = QProcess(self)
         self._drawing.finished.connect(self._show_picture)
         column = QVBoxLayout(self)
         self.headline = build_label("headline", self)
-        column.addWidget(self.headline)
+        self.see_history = QPushButton(self)
+        self.see_history.clicked.connect(self.show_history)
+        top = QHBoxLayout()
+        top.addWidget(self.headline, 1)
+        top.addWidget(self.see_history)
+        column.addLayout(top)
         self.problem = build_label("body", self, wrap=True)
         self.problem.hide()
         column.addWidget(self.problem)
@@ -154,6 +166,8 @@ class ScenariosWindow(QWidget):
         for number in range(COLUMNS):
             grid.setColumnStretch(number, 1)
         grid.setRowStretch(len(self.cards) // COLUMNS + 1, 1)
+        self.history = HistoryBoard(self)
+        self.history.back.clicked.connect(self.history.hide)
         self.setPalette(build_palette(theme))
         self.setStyleSheet(build_style(theme, LETTER))
         self.resize(1100, 760)
@@ -164,6 +178,9 @@ class ScenariosWindow(QWidget):
     def say(self) -> None:
         self.setWindowTitle("Palpate")
         self.headline.setText(translate("Player", "Scenarios"))
+        self.see_history.setText(translate("Player", "History"))
+        self.see_history.setVisible(self.keeper is not None)
+        self.history.say()
         self.notice.say()
         for card in self.cards:
             card.say(self.language, self._list_before(card))
@@ -184,6 +201,39 @@ class ScenariosWindow(QWidget):
         self.problem.setText(sentence)
         self.problem.setVisible(bool(sentence))
 
+    def show_history(self) -> None:
+        """All attempts of the person who played last."""
+        if self.keeper is None:
+            return
+        self.history.tell(self.keeper.list_history(), self.theme)
+        self.history.show()
+        self._place_history()
+        self.history.focus()
+
+    def _place_history(self) -> None:
+        wide = min(640, self.width() - 40)
+        high = self.history.fit(wide, self.notice.y() - 20)
+        self.history.setGeometry((self.width() - wide) // 2, 10, wide, high)
+        self.history.raise_()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place_history()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter presses the button that has the keyboard, Esc closes what is open."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            button = self.focusWidget()
+            if isinstance(button, QPushButton):
+                button.click()
+        elif event.key() == Qt.Key.Key_Escape:
+            if self.history.isHidden():
+                self.close()
+            else:
+                self.history.hide()
+        else:
+            super().keyPressEvent(event)
+
     # ------------------------------------------------------------ playing
 
     def _play(self) -> None:
@@ -193,10 +243,12 @@ class ScenariosWindow(QWidget):
         """The trainee's window of a card, for the person who played last where there is one."""
         self._tell("")
         try:
-            play = open_play(card.path, level=card.level.currentText())
+            play = open_play(card.path, self.device, level=card.level.currentText())
             self.window_of_play = window = TraineeWindow(play, self.theme, self.language)
             if self.keeper is not None and play.drawn is not None:
-                window.attendance.use(Keeper(self.keeper.store, self.keeper.who, play))
+                admission = window.attendance.admission
+                admission.checked = self.checked
+                admission.use(Keeper(self.keeper.store, self.keeper.who, play))
         except (OSError, Refusal) as problem:
             self._tell(say_refusal(str(problem)))
             return
@@ -209,6 +261,7 @@ class ScenariosWindow(QWidget):
         window = self.window_of_play
         if window is not None:
             self.keeper = window.attendance.keeper or self.keeper
+            self.checked = window.attendance.admission.checked
             self.language = window.language
         self.say()
         self.show()

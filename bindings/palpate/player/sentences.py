@@ -85,13 +85,20 @@ def say_no_force() -> str:
     return translate("Player", "The mouse gives no force: these numbers are not comparable.")
 
 
-def say_earlier(row: Report) -> str:
-    """An attempt of the database."""
+def say_outcome_of(outcome: str) -> str:
+    """As the database has it, in a word."""
     outcomes = {
         "done": translate("Player", "done"), "failed": translate("Player", "failed"),
         "timed_out": translate("Player", "time over"), "left": translate("Player", "left"),
+        "device_fault": translate("Player", "device failed"),
+        "diverged": translate("Player", "could not be judged"),
     }  # fmt: skip
-    outcome = outcomes.get(row["outcome"], translate("Player", "interrupted"))
+    return outcomes.get(outcome, translate("Player", "interrupted"))
+
+
+def say_earlier(row: Report) -> str:
+    """An attempt of the database."""
+    outcome = say_outcome_of(row["outcome"])
     clock = format_clock(row["ticks"] / 1000.0)
     return f"{row['started'][:10]}  {row['level']}  {outcome}, {clock}"
 

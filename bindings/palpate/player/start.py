@@ -12,6 +12,7 @@ from types import FrameType, TracebackType
 from PySide6.QtCore import QSocketNotifier
 
 from palpate.command.verb import Report
+from palpate.device.names import POINTER
 from palpate.player.scenario_cards import ScenariosWindow
 from palpate.player.trainee_window import TraineeWindow
 from palpate.runs.kept_play import Keeper
@@ -28,7 +29,7 @@ def play_in_window(
     app, code = open_application(language)
     window = TraineeWindow(play, theme, code)
     if keeper is not None:
-        window.attendance.use(keeper)
+        window.attendance.admission.use(keeper)
     window.show()
     if play.frames is not None or play.hand:  # a script needs nobody to be ready
         window.restart()
@@ -37,10 +38,12 @@ def play_in_window(
     return window.report()
 
 
-def show_scenarios(folder: Path, language: str | None = None, theme: str = "dark") -> Report:
+def show_scenarios(
+    folder: Path, language: str | None = None, theme: str = "dark", device: str = POINTER
+) -> Report:
     """The scenarios of a folder, until their window is closed."""
     app, code = open_application(language)
-    window = ScenariosWindow(folder, theme, code)
+    window = ScenariosWindow(folder, theme, code, device)
     window.show()
     app.exec()
     return {"scenario": str(folder), "title": "", "task": "", "records": [], "record": None}

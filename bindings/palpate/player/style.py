@@ -99,6 +99,11 @@ def build_style(name: str, letter: float) -> str:
     QFrame#warning {{ background: {as_css(theme.panel, 0.85)}; border-radius: 12px;
         border: 1px solid {as_css(accents.warm)}; }}
     QLabel#warning_text {{ color: {as_css(accents.warm)}; font-size: {letter:.0f}px; }}
+    QFrame#signal {{ background: {as_css(theme.panel, 0.85)}; border-radius: 12px;
+        border: 1px solid {as_css(theme.text, 0.4)}; }}
+    QLabel#signal_text {{ color: {text}; font-size: {letter:.0f}px; font-weight: 600; }}
+    QFrame#glow {{ background: transparent; border: {0.4 * letter:.0f}px solid
+        {as_css(accents.hot, 0.75)}; }}
     QLineEdit {{ color: {text}; background: {raised}; border: 1px solid {accent};
         border-radius: 10px; padding: {0.5 * letter:.0f}px {0.8 * letter:.0f}px;
         font-size: {1.2 * letter:.0f}px; }}

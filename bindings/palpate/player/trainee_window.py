@@ -16,6 +16,7 @@ from palpate.command.verb import Report
 from palpate.player.attendance import Attendance
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
+from palpate.player.hand_work import Preparation
 from palpate.player.overlays import Overlays
 from palpate.player.sentences import (
     say_damped,
@@ -84,6 +85,7 @@ class TraineeWindow(QWidget):
         box.addWidget(self.view)
         self.over = Overlays(self.view, play)
         self.attendance = Attendance(self, self)
+        self.preparation = Preparation(self, self)
         self._connect()
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -95,7 +97,7 @@ class TraineeWindow(QWidget):
         self.over.start.languages.choose(language)
         self.over.menu.languages.choose(language)
         self.over.who.languages.choose(language)
-        self.show_board(self.attendance.first_board())
+        self.show_board(self.attendance.admission.first_board())
 
     def _connect(self) -> None:
         start, menu, end = self.over.start, self.over.menu, self.over.end
@@ -112,20 +114,21 @@ class TraineeWindow(QWidget):
     # ------------------------------------------------------------ the run
 
     def restart(self) -> None:
-        """Ends the run, if there is one, keeps its record, and begins another."""
+        """Ends the run, if there is one, keeps its record, and begins another; not before it is
+        known who plays.
+        """
+        if not self.attendance.may_begin():
+            return
         self._finish()
+        if self.preparation.start():
+            return
         hand = self.play.build_hand()
         try:
             device = self.play.build_device(hand)
             self.run = self.play.begin(device, self.attendance.begin())
         except OSError as problem:
             self.attendance.give_up()
-            if isinstance(problem, palpate.DeviceError):
-                text = translate("Player", "The device cannot be used, so nothing was started: %1")
-            else:
-                text = translate("Player", "No record can be written, so nothing was started: %1")
-            self.over.alarm.tell(text.replace("%1", say_refusal(str(problem))))
-            self.over.place()
+            self._refuse(problem)
             return
         self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
         self._damped = 0
@@ -147,6 +150,15 @@ class TraineeWindow(QWidget):
         self.show_board(None)
         self.run.start()
         self._timer.start()
+
+    def _refuse(self, problem: OSError) -> None:
+        """Why nothing was started."""
+        if isinstance(problem, palpate.DeviceError):
+            text = translate("Player", "The device cannot be used, so nothing was started: %1")
+        else:
+            text = translate("Player", "No record can be written, so nothing was started: %1")
+        self.over.alarm.tell(text.replace("%1", say_refusal(str(problem))))
+        self.over.place()
 
     def pause(self) -> None:
         if self.phase is Phase.running and self.run is not None:
@@ -344,7 +356,11 @@ class TraineeWindow(QWidget):
         if key == Qt.Key.Key_F11:
             self.toggle_full_screen()
         elif key == Qt.Key.Key_Escape:
-            if self.over.menu.isVisible():
+            if self.attendance.leave():
+                pass
+            elif self.preparation.running:
+                self.preparation.leave()
+            elif self.over.menu.isVisible():
                 self.resume()
             else:
                 self.open_menu()
@@ -373,6 +389,8 @@ class TraineeWindow(QWidget):
         super().changeEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        self.preparation.stop()
+        self.attendance.close()
         self._finish()
         super().closeEvent(event)
         self.closed.emit()

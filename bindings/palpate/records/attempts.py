@@ -70,6 +70,12 @@ def begin_session(store: Store, who: Person, kind: str, check: Mapping[str, Any]
     return identity
 
 
+def note_check(store: Store, of: str, check: Mapping[str, Any]) -> None:
+    """What the check of the device has found in a session."""
+    with store.begin() as connection:
+        connection.execute(update(session).where(session.c.id == of).values(check=dict(check)))
+
+
 def begin_attempt(
     store: Store,
     of: str,

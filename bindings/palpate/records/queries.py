@@ -71,6 +71,25 @@ def list_attempts(store: Store, code: str = "", most: int = 0, scenario_id: str 
         return [dict(row._mapping) for row in connection.execute(chosen)]
 
 
+def list_history(store: Store, code: str, most: int = 500) -> list[Row]:
+    """The attempts of a person, the newest first, with the title of each task by language, and what
+    was judged of it: None where an attempt was not played to its end.
+    """
+    rows = list_attempts(store, code, most)
+    judged = {"time": "time_s", "errors": "errors", "peak_force": "peak_force_N"}
+    with store.begin() as connection:
+        titles = {row.id: row.title for row in connection.execute(
+            select(scenario.c.id, scenario.c.title))}  # fmt: skip
+        of = {row["attempt"]: dict.fromkeys(judged.values()) for row in rows}
+        found = connection.execute(
+            select(metric.c.attempt, metric.c.name, metric.c.value).where(
+                metric.c.name.in_(judged), metric.c.attempt.in_(list(of)))
+        )  # fmt: skip
+        for each in found:
+            of[each.attempt][judged[each.name]] = each.value
+    return [{**row, "title": titles[row["scenario"]], **of[row["attempt"]]} for row in rows]
+
+
 def show_attempt(store: Store, identity: str) -> Row | None:
     """All of one; a beginning of its id that no other has is enough."""
     found = [row for row in list_attempts(store) if row["attempt"].startswith(identity)]

@@ -51,6 +51,18 @@ class Keeper:
     def has_force(self) -> bool:
         return bool(find_port(self.play.arm))
 
+    def note_check(self, check: Report) -> None:
+        """What the check of the device has found."""
+        from palpate.records.attempts import note_check
+
+        note_check(self.store, self.session, check)
+
+    def list_history(self) -> list[Report]:
+        """All attempts of the person; of a guest none, for they are linked to nobody."""
+        from palpate.records.queries import list_history
+
+        return [] if self.who.code is None else list_history(self.store, self.who.code)
+
     def begin(self) -> Begun:
         """The row of one more attempt is on the disk; its trace is to be written where it says."""
         from palpate.records.attempts import begin_attempt

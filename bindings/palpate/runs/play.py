@@ -76,19 +76,25 @@ class Play:
     samples: list[palpate.HapticSample] = field(default_factory=list)
     """Of that hand, once it has played."""
 
-    def build_hand(self) -> palpate.HapticDevice | None:
-        """What moves the tip or the stylus; None where that is a real hand."""
+    def has_hand(self) -> bool:
+        """False for a simulated hand whose attempt has to be computed first."""
+        return not self.hand or bool(self.samples)
+
+    def build_hand(self, scene: palpate.Scene | None = None) -> palpate.HapticDevice | None:
+        """What moves the tip or the stylus; None where that is a real hand. `scene` is what it
+        moves in, where that is not the scenario's own.
+        """
         if find_port(self.arm):
             return None
         if self.hand:
-            assert self.drawn is not None
-            if not self.samples:  # seconds of work, which a restart does not do again
+            if not self.has_hand():  # seconds of work: a window has it done beside it before
+                assert self.drawn is not None
                 played = attempt(self.scenario.scene, self.drawn, self.hand)
                 self.samples = played.samples
             return palpate.ReplayDevice(self.samples)
         if self.frames is not None:
             return palpate.ScriptedDevice(self.frames)
-        return palpate.SurfacePointer(self.scenario.scene)
+        return palpate.SurfacePointer(scene or self.scenario.scene)
 
     def build_device(self, hand: palpate.HapticDevice | None = None) -> palpate.HapticDevice:
         """The device of one run, held by `hand` (of build_hand). Raises DeviceError."""

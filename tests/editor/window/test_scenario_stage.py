@@ -20,7 +20,7 @@ from palpate_editor.document import Organ
 from palpate_editor.open_organ import open_organ
 from palpate_editor.surface_path import SPACING, follow_surface
 from palpate_editor.views.scenario import ScenarioPanel
-from palpate_editor.views.scenario.hand_record import find_bands
+from palpate.assessment.hand_record import find_bands
 from patience import PATIENCE, settle
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest

@@ -419,6 +419,182 @@
         <source>The task was left before it was done. Errors: %1.</source>
         <translation>Görev tamamlanmadan bırakıldı. Hata: %1.</translation>
     </message>
+    <message>
+        <source>%1 attempts</source>
+        <translation>%1 deneme</translation>
+    </message>
+    <message>
+        <source>A simulated hand shows how it is done. Esc leaves it.</source>
+        <translation>Simüle bir el nasıl yapıldığını gösteriyor. Esc çıkar.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Geri</translation>
+    </message>
+    <message>
+        <source>Buzz at the wall: %1 mm, at most %2 mm</source>
+        <translation>Duvarda titreşim: %1 mm, en çok %2 mm</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Yeniden denetle</translation>
+    </message>
+    <message>
+        <source>Check the device</source>
+        <translation>Cihazı denetle</translation>
+    </message>
+    <message>
+        <source>Device check</source>
+        <translation>Cihaz denetimi</translation>
+    </message>
+    <message>
+        <source>Device check: hold the tool still.</source>
+        <translation>Cihaz denetimi: aleti kıpırdatmadan tutun.</translation>
+    </message>
+    <message>
+        <source>Device check: press the middle with %1 to %2 N for a second.</source>
+        <translation>Cihaz denetimi: ortaya bir saniye %1 ile %2 N arası bastırın.</translation>
+    </message>
+    <message>
+        <source>Device check: press the stop button of the device.</source>
+        <translation>Cihaz denetimi: cihazın durdurma düğmesine basın.</translation>
+    </message>
+    <message>
+        <source>Device check: release the stop button.</source>
+        <translation>Cihaz denetimi: durdurma düğmesini bırakın.</translation>
+    </message>
+    <message>
+        <source>Device check: touch the marked point, %1 of %2.</source>
+        <translation>Cihaz denetimi: işaretli noktaya dokunun, %1 / %2.</translation>
+    </message>
+    <message>
+        <source>Drift: %1 mm, at most %2 mm</source>
+        <translation>Kayma: %1 mm, en çok %2 mm</translation>
+    </message>
+    <message>
+        <source>Each device and level stands for itself: they cannot be compared.</source>
+        <translation>Her cihaz ve düzey kendi başınadır: karşılaştırılamazlar.</translation>
+    </message>
+    <message>
+        <source>Force of the motors: %1 % off, at most %2 %</source>
+        <translation>Motorların kuvveti: %1 % sapma, en çok %2 %</translation>
+    </message>
+    <message>
+        <source>Force updates: %1 ms late, at most %2 ms</source>
+        <translation>Kuvvet güncellemesi: %1 ms geç, en çok %2 ms</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Devam</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Geçmiş</translation>
+    </message>
+    <message>
+        <source>Lost reports: %1 %, at most %2 %</source>
+        <translation>Kayıp ileti: %1 %, en çok %2 %</translation>
+    </message>
+    <message>
+        <source>No attempts are kept of you.</source>
+        <translation>Saklanan denemeniz yok.</translation>
+    </message>
+    <message>
+        <source>Noise: %1 mm, at most %2 mm</source>
+        <translation>Gürültü: %1 mm, en çok %2 mm</translation>
+    </message>
+    <message>
+        <source>Pictures: %1 a second, at least %2</source>
+        <translation>Görüntü: saniyede %1, en az %2</translation>
+    </message>
+    <message>
+        <source>Points touched: %1 of %2</source>
+        <translation>Dokunulan nokta: %1 / %2</translation>
+    </message>
+    <message>
+        <source>Round trip: %1 ms, at most %2 ms</source>
+        <translation>Gidiş dönüş: %1 ms, en çok %2 ms</translation>
+    </message>
+    <message>
+        <source>Show me how it is done</source>
+        <translation>Nasıl yapıldığını göster</translation>
+    </message>
+    <message>
+        <source>Sounds off</source>
+        <translation>Sesler kapalı</translation>
+    </message>
+    <message>
+        <source>Sounds on</source>
+        <translation>Sesler açık</translation>
+    </message>
+    <message>
+        <source>Step done</source>
+        <translation>Adım tamam</translation>
+    </message>
+    <message>
+        <source>Stop button</source>
+        <translation>Durdurma düğmesi</translation>
+    </message>
+    <message>
+        <source>The device cannot be checked: %1</source>
+        <translation>Cihaz denetlenemiyor: %1</translation>
+    </message>
+    <message>
+        <source>The device is as it should be.</source>
+        <translation>Cihaz olması gerektiği gibi.</translation>
+    </message>
+    <message>
+        <source>The device is not as it should be: attempts with it would not count, so there is practice alone.</source>
+        <translation>Cihaz olması gerektiği gibi değil: onunla yapılan denemeler sayılmaz, bu yüzden yalnız alıştırma yapılabilir.</translation>
+    </message>
+    <message>
+        <source>The device was not checked, so there is practice alone.</source>
+        <translation>Cihaz denetlenmedi, bu yüzden yalnız alıştırma yapılabilir.</translation>
+    </message>
+    <message>
+        <source>The simulated hand cannot play: %1</source>
+        <translation>Simüle el oynayamıyor: %1</translation>
+    </message>
+    <message>
+        <source>The simulated hand gets ready. Esc leaves it.</source>
+        <translation>Simüle el hazırlanıyor. Esc vazgeçer.</translation>
+    </message>
+    <message>
+        <source>The task cannot be shown: %1</source>
+        <translation>Görev gösterilemiyor: %1</translation>
+    </message>
+    <message>
+        <source>Time of %1 attempts</source>
+        <translation>%1 denemenin süresi</translation>
+    </message>
+    <message>
+        <source>Wall pressed: %1 s of %2 s</source>
+        <translation>Duvara basıldı: %1 s / %2 s</translation>
+    </message>
+    <message>
+        <source>Your attempts so far</source>
+        <translation>Şimdiye kadarki denemeleriniz</translation>
+    </message>
+    <message>
+        <source>could not be judged</source>
+        <translation>değerlendirilemedi</translation>
+    </message>
+    <message>
+        <source>device failed</source>
+        <translation>cihaz arızalandı</translation>
+    </message>
+    <message>
+        <source>errors: %1</source>
+        <translation>hata: %1</translation>
+    </message>
+    <message>
+        <source>haptic arm</source>
+        <translation>dokunsal kol</translation>
+    </message>
+    <message>
+        <source>mouse, no force</source>
+        <translation>fare, kuvvet yok</translation>
+    </message>
 </context>
 <context>
     <name>Viewport</name>

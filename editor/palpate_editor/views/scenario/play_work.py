@@ -8,7 +8,8 @@ from pathlib import Path
 
 import palpate
 from palpate import scenario
-from palpate.assessment.check import Problem, find_problems
+from palpate.assessment.check import find_problems
+from palpate.assessment.check_problem import Problem
 from palpate.assessment.selfplay import Attempt, attempt, judge_hands, play_all
 from palpate.command.verb import Report
 from palpate.files.refusal import Refusal

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import numpy as np
-from palpate.assessment.check import Problem as TaskProblem
+from palpate.assessment.check_problem import Problem as TaskProblem
+from palpate.assessment.hand_record import find_bands
 from palpate.assessment.selfplay import Attempt
 from palpate.command.verb import Report
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSpinBox, QWidget
@@ -15,7 +16,6 @@ from palpate_editor.surface_path import follow_surface
 from palpate_editor.views.context import Context
 from palpate_editor.views.scenario.band_row import NumberRow
 from palpate_editor.views.scenario.draft import Draft, round_point
-from palpate_editor.views.scenario.hand_record import find_bands
 from palpate_editor.views.scenario.limit_list import LimitList
 from palpate_editor.views.scenario.place_marks import PlaceMarks
 from palpate_editor.views.scenario.place_tools import PathTool

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """A step's band taken from a hand: what it felt once, 20 % less to 20 % more."""
 
 from __future__ import annotations
@@ -6,8 +6,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import palpate
 from numpy.typing import NDArray
+
+import palpate
 from palpate.runs.felt import read_force, read_touched
 
 MARGIN = 0.2

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Places as they are said on the command line."""
+
+from __future__ import annotations
+
+import argparse
+
+from palpate.assessment.author import AuthorError, Json
+
+
+def add_at(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--at",
+        metavar="PLACE",
+        help="a place of the assessment, region:NAME of the organ, ball:X,Y,Z,RADIUS or "
+        "path:X,Y,Z:X,Y,Z..., in metres",
+    )
+
+
+def find_place(made: Json, told: str) -> Json:
+    """The place of region:, ball: or path:."""
+    kind, _, rest = told.partition(":")
+    organ = next(iter(made["organs"]))
+    if kind == "region":
+        return {"region": f"{organ}/{rest}"}
+    if kind == "ball":
+        return {"organ": organ, "ball": read_numbers(rest, 4)}
+    if kind == "path":
+        points = [read_numbers(point, 3) for point in rest.split(":")]
+        return {"organ": organ, "path": points}
+    raise AuthorError(f"--at: got {told!r}, expected region:, ball: or path:")
+
+
+def read_numbers(text: str, count: int) -> list[float]:
+    try:
+        numbers = [float(part) for part in text.split(",")]
+    except ValueError:
+        numbers = []
+    if len(numbers) != count:
+        raise AuthorError(f"--at: got {text!r}, expected {count} numbers with commas between [m]")
+    return numbers
