@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,7 +13,9 @@ from palpate import FileError, Scene, scenario
 from palpate.assessment.author import without_muted
 from palpate.assessment.check import find_problems
 from palpate.assessment.check_problem import ERROR
+from palpate.assessment.provenance import describe_selfplay, hash_content, with_selfplay
 from palpate.assessment.publish import with_assessment
+from palpate.assessment.selfplay import SEEDS, Attempt, play_all
 from palpate.command.verb import Report
 from palpate.scene.scene_file import hash_file
 
@@ -32,10 +35,20 @@ class PublishError(Exception):
         super().__init__(text)
 
 
+def tell_nobody(played: Attempt) -> None:
+    del played
+
+
 def publish(
-    organ: Organ, path: Path, assessment: Assessment | None = None, slow: bool = False
+    organ: Organ,
+    path: Path,
+    assessment: Assessment | None = None,
+    slow: bool = False,
+    tried: Report | None = None,
+    tell: Callable[[Attempt], None] = tell_nobody,
 ) -> Report:
-    """Checks, compiles and writes, whole or not at all: a second for a large one, on any thread.
+    """Checks, compiles and writes, whole or not at all: a second for a large one, on any thread,
+    and as long as simulated hands need where there is a task, which they try out first.
 
     The document itself goes into the file, so that it can be opened again and worked on; where the
     mesh file lay on the designer's machine, and what was done to the organ step by step, does not.
@@ -45,6 +58,9 @@ def publish(
         path: A name ending in .palpate.
         assessment: Of the very same organ, if there is one.
         slow: Whether it may be late on the reference machine: for a faster one.
+        tried: A report of describe_selfplay, if hands have played; of another task it does not
+            count, and they play again.
+        tell: Hears of every attempt; may raise, which ends the work.
 
     Raises PublishError with every error there is; FileError where the disk refuses.
     """
@@ -54,6 +70,7 @@ def publish(
     if errors or assessment.scene is None:
         raise PublishError(errors or assessment.errors)
     made = judge_task(path, make_scenario(organ, assessment.scene, path))
+    made = try_task(made, tried, tell)
     write(made, path)
     return {
         "out": str(path),
@@ -91,6 +108,34 @@ def judge_task(path: Path, made: scenario.Scenario) -> scenario.Scenario:
     if problems:
         raise PublishError(problems)
     return made
+
+
+def try_task(
+    made: scenario.Scenario, tried: Report | None, tell: Callable[[Attempt], None]
+) -> scenario.Scenario:
+    """With the report of hands that have played it in it: careful ones finish, idle and violent
+    ones do not. Raises PublishError.
+    """
+    if not made.assessment:
+        return made
+    tools = len(made.scene.instruments)
+    if tools != 1:
+        text = phrase("{count} tools, and simulated hands move one", count=tools)
+        raise PublishError(
+            (Problem("task", "error", "scenario", "instruments", text, phrase("one tool")),)
+        )
+    if tried is None or tried["content_sha256"] != hash_content(made):
+        tried = describe_selfplay(made, play_all(made, range(SEEDS), tell))
+    problems = tuple(
+        Problem("task", "error", "scenario", found["where"],
+                phrase("{text}", text=found["message"]),
+                phrase("a task that careful hands finish, and idle or violent ones do not"))
+        for found in tried["problems"]
+        if found["severity"] == ERROR
+    )  # fmt: skip
+    if problems:
+        raise PublishError(problems)
+    return with_selfplay(made, tried)
 
 
 def make_scenario(organ: Organ, scene: Scene, path: Path) -> scenario.Scenario:

@@ -167,6 +167,15 @@ def test_a_self_play_and_a_review_travel_with_the_file_and_are_void_after_a_chan
     }  # fmt: skip
 
 
+def test_a_scenario_without_a_limit_can_be_judged():
+    organ = scenario.read(PUBLISHED / "simple_tissue.palpate")
+    never, at = author.add_place(author.new_assessment("simple tissue", TITLES), "middle",
+                                 {"region": "simple-tissue/middle"})  # fmt: skip
+    never, _ = author.add_step(never, "touch", at)
+    for new in (never, author.remove_limit(made(), "force")):
+        assert scenario.draw_task(with_assessment("mine", new, organ)).limits == []
+
+
 def test_levels_and_parameters_are_drawn_as_they_were_set():
     organ = scenario.read(PUBLISHED / "simple_tissue.palpate")
     new = made()

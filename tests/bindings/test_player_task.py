@@ -404,7 +404,7 @@ def test_an_arm_is_checked_before_it_is_played_and_a_failed_check_leaves_practic
     click(over.consent.agree)
     assert check.busy and over.board() is None
     qtbot.waitUntil(lambda: check.check is not None and check.check.stage is Stage.stop,
-                    timeout=PATIENCE)  # fmt: skip
+                    timeout=5 * PATIENCE)  # fmt: skip
     picture(window, checkout, "en_check_stop")
     arms[0].press_stop(True)
     qtbot.waitUntil(lambda: check.check is None or check.check.stopped, timeout=PATIENCE)

@@ -67,7 +67,6 @@ def new_assessment(organ: str, titles: Mapping[str, str], identity: str = "") ->
         "tools": {"tip": {"kind": "grasper"}},
         "places": {},
         "steps": [],
-        "limits": [],
         "finish": {"time_limit_s": TIME_LIMIT},
         "goals": [{"metric": "errors", "at_most": 0, "basis": {"kind": "designer"}}],
         "texts": {code: {"title": text} for code, text in titles.items() if text},
@@ -259,6 +258,8 @@ def change_limit(
 def remove_limit(assessment: Json, identity: str) -> Json:
     made = copy.deepcopy(assessment)
     limit = made["limits"].pop(find(made.get("limits", []), identity))
+    if not made["limits"]:  # an empty list is refused
+        del made["limits"]
     return forget_text(made, limit["say"])
 
 

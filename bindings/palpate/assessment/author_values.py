@@ -149,6 +149,18 @@ def remove_parameter(assessment: Json, name: str) -> Json:
     return made
 
 
+def rename_parameter(assessment: Json, old: str, new: str) -> Json:
+    """With another name wherever it is used."""
+    require_parameter(assessment, old)
+    if require_name("parameter", new) in assessment["parameters"]:
+        raise AuthorError(f"parameter: got {new!r} once more, expected a new name")
+    text = json.dumps(assessment).replace(f'"${old}"', f'"${new}"')
+    made: Json = json.loads(text.replace(f"{{{old}:", f"{{{new}:"))
+    rows = made["parameters"]
+    made["parameters"] = {new if name == old else name: row for name, row in rows.items()}
+    return made
+
+
 def require_parameter(assessment: Json, name: str) -> Json:
     rows = assessment.get("parameters", {})
     if name not in rows:

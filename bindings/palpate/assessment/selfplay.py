@@ -14,6 +14,8 @@ from palpate import scenario
 from palpate.assessment.hands import HANDS, make_hand
 from palpate.command.verb import Report
 
+SEEDS = 3
+"""Of each level, before a task is published"""
 GLANCE = 10
 """[ticks] between two looks at how far the task is"""
 

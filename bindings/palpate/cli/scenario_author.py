@@ -25,17 +25,28 @@ from palpate.runs.run import PUBLISHED
 BAND = "LEAST..MOST, either may be left out, or $ and the name of a parameter"
 
 
+NONE = "none"
+"""Takes a value of a step away."""
+
+
 def band_of(unit: str) -> Any:
     """A reader of 0.2N..0.5N, 4mm.. and ..1.5N."""
     one = quantity(unit)
 
-    def read(text: str) -> list[float | str | None]:
+    def read(text: str) -> list[float | str | None] | str:
+        if text == NONE:
+            return text
         least, dots, most = text.partition("..")
         if not dots or not (least or most):
             raise argparse.ArgumentTypeError(f"got {text!r}, expected {BAND}")
         return [end if end.startswith("$") else one(end) if end else None for end in (least, most)]
 
     return read
+
+
+def or_none(read: Any) -> Any:
+    """A reader that knows NONE as well."""
+    return lambda text: text if text == NONE else read(text)
 
 
 def read_bound(text: str) -> float | str:
@@ -70,8 +81,12 @@ def add_step(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--force", dest="force_N", type=band_of("N"), help=f"0.2N..0.5N: {BAND}")
     parser.add_argument("--depth", dest="depth_m", type=band_of("m"), help="4mm..8mm")
     parser.add_argument("--distance", dest="distance_m", type=band_of("m"), help="4mm..8mm")
-    parser.add_argument("--for", dest="for_s", type=quantity("s"), help="how long it must be so")
-    parser.add_argument("--within", dest="within_s", type=quantity("s"), help="longer is an error")
+    parser.add_argument(
+        "--for", dest="for_s", type=or_none(quantity("s")), help="how long it must be so"
+    )
+    parser.add_argument(
+        "--within", dest="within_s", type=or_none(quantity("s")), help="longer is an error"
+    )
     parser.add_argument("--share", type=float, help="[-] of a path")
     add_say(parser)
 
@@ -90,7 +105,7 @@ def add_limit(parser: argparse.ArgumentParser) -> None:
         help="[N], [m], [m/s] or [N/s], as measured, or $ and a parameter",
     )
     parser.add_argument("--below", type=read_bound, help="likewise")
-    parser.add_argument("--for", dest="for_s", type=quantity("s"), help="default: 0.02s")
+    parser.add_argument("--for", dest="for_s", type=or_none(quantity("s")), help="default: 0.02s")
     parser.add_argument("--then", choices=author.CONSEQUENCES, default="")
     add_at(parser)
     add_say(parser)
@@ -163,6 +178,7 @@ def change_step(made: Json, call: argparse.Namespace) -> Json:
     made, at = take_place(made, call.at)
     names = ("force_N", "depth_m", "distance_m", "for_s", "within_s", "share")
     values = {name: getattr(call, name) for name in names if getattr(call, name) is not None}
+    values = {name: None if value == NONE else value for name, value in values.items()}
     if call.add:
         made, identity = author.add_step(made, call.add, at, values, call.id)
     else:

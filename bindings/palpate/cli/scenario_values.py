@@ -11,9 +11,9 @@ import palpate
 from palpate import scenario
 from palpate.assessment import author, author_values
 from palpate.assessment.author import AuthorError, Json
-from palpate.assessment.hand_record import find_bands
 from palpate.cli.scenario_places import add_at, find_place
 from palpate.command.verb import WrongCall, quantity
+from palpate.runs.hand_record import find_bands
 from palpate.runs.run import PUBLISHED
 
 RECORDED = ("hold", "push", "trace", "find")
@@ -48,6 +48,8 @@ def add_parameter(parser: argparse.ArgumentParser) -> None:
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--set", metavar="NAME", help="a new parameter, or other values of one")
     what.add_argument("--remove", metavar="NAME")
+    what.add_argument("--rename", metavar="NAME")
+    parser.add_argument("--to", metavar="NAME", help="of --rename")
     parser.add_argument("--unit", choices=author_values.UNITS, help="of a new one")
     kind = parser.add_mutually_exclusive_group()
     kind.add_argument("--value", type=float, help="[SI] the usual one")
@@ -126,6 +128,10 @@ def change_level(made: Json, call: argparse.Namespace) -> Json:
 def change_parameter(made: Json, call: argparse.Namespace) -> Json:
     if call.remove:
         return author_values.remove_parameter(made, call.remove)
+    if call.rename:
+        if not call.to:
+            raise WrongCall("--rename: got no --to, expected the new name")
+        return author_values.rename_parameter(made, call.rename, call.to)
     values: dict[str, Any] = {
         name: getattr(call, name)
         for name in ("unit", "value", "uniform", "choose")

@@ -11,13 +11,13 @@ from PySide6.QtCore import QObject, Signal
 from palpate.command.verb import Report, WrongCall
 from palpate.files.refusal import Refusal
 from palpate.player.boards import Board
-from palpate.player.check_board import CheckRun
+from palpate.player.check_run import CheckRun
 from palpate.player.sentences import translate
 from palpate.runs.kept_play import Keeper, open_store
 from palpate.translation.refusals import say_refusal
 
 if TYPE_CHECKING:
-    from palpate.player.attendance import Host
+    from palpate.player.host import Host
     from palpate.records.people import Person
     from palpate.records.store import Store
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import Protocol
 
 from PySide6.QtCore import QObject
 
@@ -17,31 +16,13 @@ from palpate.player.admission import Admission
 from palpate.player.boards import Board
 from palpate.player.debrief import Debriefed
 from palpate.player.ghost import Ghost
+from palpate.player.host import Host
 from palpate.player.moment_replay import MomentReplay
 from palpate.player.moments import Moment, Moments
-from palpate.player.overlays import Overlays
 from palpate.player.sentences import say_no_force, translate
 from palpate.player.signals import Signals
 from palpate.runs.kept_play import Keeper, describe_kept
 from palpate.runs.live import Frame
-from palpate.runs.play import Play
-from palpate.viewport import View
-
-
-class Host(Protocol):
-    """What it needs of the window."""
-
-    play: Play
-    over: Overlays
-    view: View
-    scene: palpate.Scene
-    language: str
-    theme: str
-
-    def show_board(self, board: Board | None) -> None: ...
-    def use_language(self, code: str) -> None: ...
-    def restart(self) -> None: ...
-    def close(self) -> bool: ...
 
 
 class Attendance(QObject):

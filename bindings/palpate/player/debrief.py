@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -22,6 +23,9 @@ from palpate.player.sentences import (
 )
 
 Report = dict[str, Any]
+
+LINE = 40
+"""Letters of a line of a button."""
 
 
 @dataclass(frozen=True)
@@ -143,7 +147,8 @@ def say_goal(goal: Report) -> str:
 def say_moment(moment: Moment, limits: Sequence[str]) -> str:
     clock, said = format_clock(moment.time), limits[moment.limit]
     lasted = translate("Player", "%1 s beyond").replace("%1", format_number(moment.duration, 1))
-    return f"\N{BLACK RIGHT-POINTING TRIANGLE} {clock}  {said} ({lasted})"
+    text = f"\N{BLACK RIGHT-POINTING TRIANGLE} {clock}  {said} ({lasted})"
+    return textwrap.fill(text, LINE)  # a button does not break lines
 
 
 def advise(told: Debriefed) -> str:

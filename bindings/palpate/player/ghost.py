@@ -18,7 +18,7 @@ from palpate.runs.live import Frame, LiveRun
 from palpate.scene.surfaces import join_positions, join_rest_surfaces
 
 if TYPE_CHECKING:
-    from palpate.player.attendance import Host
+    from palpate.player.host import Host
 
 FRAME_MS = 16
 GHOST = Appearance(STEEL, gloss=0.6, subsurface=0.0, seen_through=True, ghost=0.6,

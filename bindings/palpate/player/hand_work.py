@@ -13,7 +13,7 @@ from palpate.assessment.selfplay import Attempt, attempt
 from palpate.player.sentences import translate
 
 if TYPE_CHECKING:
-    from palpate.player.attendance import Host
+    from palpate.player.host import Host
 
 
 class HandWork(QObject):

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QTimer
 from palpate.player.moments import Moment
 
 if TYPE_CHECKING:
-    from palpate.player.attendance import Host
+    from palpate.player.host import Host
 
 SHOT_MS = 33
 """[ms] between two pictures"""

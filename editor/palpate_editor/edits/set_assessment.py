@@ -23,6 +23,8 @@ CHANGES = {
     "record": phrase("Record a step from a hand"),
     "limit": phrase("Change the limits"),
     "text": phrase("Change a text"),
+    "level": phrase("Change the levels"),
+    "parameter": phrase("Change a parameter"),
     "finish": phrase("Change the time limit"),
 }
 

@@ -3266,6 +3266,50 @@ Beklenen: {expected}.</translation>
         <source>{least} to {most} mm, {median} in the middle</source>
         <translation>{least} – {most} mm, ortanca {median}</translation>
     </message>
+    <message>
+        <source>0.6 is a value, 0.4..0.8 is drawn between the two, a; b is one of these</source>
+        <translation>0,6 bir değerdir, 0,4..0,8 ikisi arasından çekilir, a; b bunlardan biridir</translation>
+    </message>
+    <message>
+        <source>Add a parameter</source>
+        <translation>Parametre ekle</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Düzeyler</translation>
+    </message>
+    <message>
+        <source>Levels and parameters</source>
+        <translation>Düzeyler ve parametreler</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Ad</translation>
+    </message>
+    <message>
+        <source>Use it as</source>
+        <translation>Şu olarak kullan</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Değer</translation>
+    </message>
+    <message>
+        <source>bound of the limit {name}</source>
+        <translation>{name} sınırının değeri</translation>
+    </message>
+    <message>
+        <source>least of the step</source>
+        <translation>adımın en azı</translation>
+    </message>
+    <message>
+        <source>most of the step</source>
+        <translation>adımın en çoğu</translation>
+    </message>
+    <message>
+        <source>{title}: hands try the task, {hand}</source>
+        <translation>{title}: eller görevi deniyor, {hand}</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>
@@ -5122,6 +5166,26 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{wall:g} mm, for which {share:.1%} of the surface bends too closely or has the other side too near: the wall is {least:.0%} as thick there at least, and bends too easily</source>
         <translation>{wall:g} mm; yüzeyin {share:.1%} kadarı bunun için çok dar bükülüyor ya da öbür yüzü çok yakın: duvar orada en az {least:.0%} kalınlıkta ve fazla kolay bükülüyor</translation>
+    </message>
+    <message>
+        <source>Change a parameter</source>
+        <translation>Parametreyi değiştir</translation>
+    </message>
+    <message>
+        <source>Change the levels</source>
+        <translation>Düzeyleri değiştir</translation>
+    </message>
+    <message>
+        <source>a task that careful hands finish, and idle or violent ones do not</source>
+        <translation>dikkatli ellerin bitirdiği, hareketsiz ya da sert ellerin bitiremediği bir görev</translation>
+    </message>
+    <message>
+        <source>{count} tools, and simulated hands move one</source>
+        <translation>{count} alet; simüle eller bir aleti hareket ettirir</translation>
+    </message>
+    <message>
+        <source>one tool</source>
+        <translation>tek alet</translation>
     </message>
 </context>
 <context>

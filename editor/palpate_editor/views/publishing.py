@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from palpate.assessment.selfplay import Attempt
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.check import Assessment
@@ -30,10 +31,19 @@ class PublishWork:
     path: Path
     assessment: Assessment | None
     slow: bool = False
+    tried: Any = None
+    """What hands have done in the Scenario stage, of describe_selfplay."""
 
     def __call__(self, progress: Progress) -> Any:
-        progress(tr("Publishing {file}").format(file=self.path.name), 0.2)
-        report = publish(self.organ, self.path, self.assessment, self.slow)
+        title = tr("Publishing {file}").format(file=self.path.name)
+        progress(title, 0.2)
+
+        def tell(played: Attempt) -> None:
+            told = played.describe()
+            hand = f"{told['hand']} {told['level']} {told['seed']}"
+            progress(tr("{title}: hands try the task, {hand}").format(title=title, hand=hand), 0.5)
+
+        report = publish(self.organ, self.path, self.assessment, self.slow, self.tried, tell)
         progress(tr("Done"), 1.0)
         return report
 
@@ -52,6 +62,8 @@ class Publishing(QObject):
         self.wanted = Path()
         self.slow = False
         """Whether an organ may be published that is late on the reference machine."""
+        self.tried: Any = None
+        """The last report of every hand, of describe_selfplay; None before they have played."""
         self.child_processes = ChildProcesses(context, self)
 
     def ask(self) -> None:
@@ -88,8 +100,9 @@ class Publishing(QObject):
         title = tr("Publishing {file}").format(file=path.name)
         known = self.context.assessment
         work = PublishWork(
-            self.context.session.organ, path, known.checked if known else None, self.slow
-        )
+            self.context.session.organ, path, known.checked if known else None, self.slow,
+            self.tried,
+        )  # fmt: skip
         self.context.jobs.start(title, work, self.on_published, self.context.refuse)
 
     def on_published(self, report: Any) -> None:

@@ -13,6 +13,7 @@ from hands import choose_file
 from palpate import scenario
 from palpate.cli.main import main
 from palpate.runs.felt import read_force
+from palpate.runs.hand_record import find_bands
 from palpate.runs.press import PressScript, find_top
 from palpate.runs.run import run_script
 from palpate.viewport import FboView, GLView
@@ -20,7 +21,6 @@ from palpate_editor.document import Organ
 from palpate_editor.open_organ import open_organ
 from palpate_editor.surface_path import SPACING, follow_surface
 from palpate_editor.views.scenario import ScenarioPanel
-from palpate.assessment.hand_record import find_bands
 from patience import PATIENCE, settle
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
@@ -157,6 +157,36 @@ def test_a_text_that_is_missing_is_red_and_is_written_in_the_table(designer):
     assert "Ortaya dokunun" in designer.assessment["texts"]["tr"].values()
 
 
+def test_levels_and_parameters_are_written_and_stand_for_a_bound(designer, checkout):
+    values = designer.panel.values
+    designer.button("new_scenario")
+    designer.add_step("hold")
+    for level in ("normal", "hard"):
+        designer.choose(values.levels, values.menus["levels"], f"level_{level}")
+    designer.choose(values.add, values.menus["add"], "parameter_N")
+    assert designer.assessment["levels"] == ["normal", "hard"]
+    assert designer.assessment["parameters"] == {"force": {"unit": "N", "value": 1.0}}
+
+    values.table.item(0, 2).setText("0,6")
+    values.table.item(0, 4).setText("0.3")
+    values.table.item(0, 0).setText("most")
+    designer.choose(values.use, values.menus["use"], "use_force_N_1")
+
+    row = {"unit": "N", "value": 0.6, "levels": {"hard": 0.3}}
+    assert designer.assessment["parameters"] == {"most": row}
+    assert designer.assessment["steps"][0]["force_N"] == [0.1, "$most"]
+    values.table.setCurrentCell(0, 0)
+    designer.button("remove_parameter")  # it is used: refused, and said why
+    assert "most" in designer.assessment["parameters"]
+    designer.picture(checkout, "parameters")
+    values.table.item(0, 2).setText("0.4..0.8")
+    assert designer.assessment["parameters"]["most"] == {"unit": "N", "uniform": [0.4, 0.8]}
+    values.table.item(0, 2).setText("no number")
+    assert values.table.item(0, 2).text() == "0.4..0.8"
+    last = designer.window.session.history.undoText()
+    assert "parameter" in last
+
+
 def test_a_line_follows_the_surface_from_corner_to_corner():
     surface = open_organ(PUBLISHED / "kidney.organ").surface
     x = surface.vertices
@@ -234,3 +264,6 @@ def test_a_designer_makes_a_scenario_of_the_liver_in_under_30_clicks(
     report = json.loads(text[text.index("{") :])
     assert report["outcome"] == "done"
     assert report["verdict"]["errors"] == 0
+    tried = json.loads(made.assessment)["selfplay"]
+    assert {row["hand"] for row in tried["attempts"]} == {"careful", "idle", "jab", "clumsy"}
+    assert not [row for row in tried["problems"] if row["severity"] == "error"]

@@ -16,6 +16,7 @@ from palpate_editor.document.files import write_assessment
 from palpate_editor.edits import SetAssessment
 from palpate_editor.surface_path import follow_surface
 from palpate_editor.views.context import Context
+from palpate_editor.views.scenario.verb_words import find_words, list_new_places, say_place
 from palpate_editor.views.translations import tr
 
 BALL = 0.01
@@ -93,11 +94,18 @@ class Draft(QObject):
         """One edit; `words` are those of the verb that does the same to a file."""
         if changed == self.assessment:
             return True
+        before = self.assessment
         done = self.context.apply(SetAssessment(write_assessment(changed), change))
         if done and words:
-            name = f"{self.context.stem()}.task.json"
-            self.context.log_command(["palpate", "scenario", words[0], name, *words[1:]])
+            for name, place in list_new_places(before, changed):
+                self.log("place", "--set", name, "--at", say_place(place))
+            self.log(*words)
         return done
+
+    def log(self, verb: object, *words: object) -> None:
+        """The same on the command line: `palpate scenario VERB FILE ...`."""
+        name = f"{self.context.stem()}.task.json"
+        self.context.log_command(["palpate", "scenario", verb, name, *words])
 
     def change(self, change: str, act: Any, *arguments: Any) -> Any:
         """Applies a function of palpate.assessment.author; what it says of a new row comes back."""
@@ -108,7 +116,8 @@ class Draft(QObject):
             self.context.tell(str(problem))
             return None
         made, identity = made if isinstance(made, tuple) else (made, None)
-        return identity if self.apply(made, change) else None
+        words = find_words(act, arguments)
+        return identity if self.apply(made, change, *words) else None
 
     def begin(self) -> None:
         """A new one, in the languages of the organ's titles."""

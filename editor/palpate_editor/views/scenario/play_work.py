@@ -10,7 +10,8 @@ import palpate
 from palpate import scenario
 from palpate.assessment.check import find_problems
 from palpate.assessment.check_problem import Problem
-from palpate.assessment.selfplay import Attempt, attempt, judge_hands, play_all
+from palpate.assessment.provenance import describe_selfplay
+from palpate.assessment.selfplay import SEEDS, Attempt, attempt, play_all
 from palpate.command.verb import Report
 from palpate.files.refusal import Refusal
 
@@ -19,7 +20,6 @@ from palpate_editor.publish import has_task, make_scenario
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.translations import tr
 
-SEEDS = 3
 FILE = Path("scenario")
 """What refusals call it."""
 
@@ -65,7 +65,7 @@ class EveryHandWork:
     organ: Organ
     scene: palpate.Scene
 
-    def __call__(self, progress: Progress) -> list[Report]:
+    def __call__(self, progress: Progress) -> Report:
         made = make_scenario(self.organ, self.scene, FILE)
         levels = scenario.list_levels(made) or [""]
         count = len(levels) * (3 * SEEDS + 1)
@@ -78,4 +78,4 @@ class EveryHandWork:
             progress(f"{told['hand']}, {told['level']} {told['seed']}: {told['outcome']}",
                      done / count)  # fmt: skip
 
-        return judge_hands(play_all(made, range(SEEDS), tell))
+        return describe_selfplay(made, play_all(made, range(SEEDS), tell))

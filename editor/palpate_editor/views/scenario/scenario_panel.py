@@ -4,19 +4,22 @@
 from __future__ import annotations
 
 import numpy as np
+from palpate.assessment import author_values
 from palpate.assessment.check_problem import Problem as TaskProblem
-from palpate.assessment.hand_record import find_bands
 from palpate.assessment.selfplay import Attempt
 from palpate.command.verb import Report
+from palpate.runs.hand_record import find_bands
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSpinBox, QWidget
 
 from palpate_editor.document import Organ, phrase
 from palpate_editor.document.problems import Problem
 from palpate_editor.surface_path import follow_surface
 from palpate_editor.views.context import Context
+from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.scenario.band_row import NumberRow
 from palpate_editor.views.scenario.draft import Draft, round_point
 from palpate_editor.views.scenario.limit_list import LimitList
+from palpate_editor.views.scenario.parameter_table import ParameterTable
 from palpate_editor.views.scenario.place_marks import PlaceMarks
 from palpate_editor.views.scenario.place_tools import PathTool
 from palpate_editor.views.scenario.play_work import CarefulWork, CheckWork, EveryHandWork
@@ -25,7 +28,7 @@ from palpate_editor.views.scenario.step_list import StepList
 from palpate_editor.views.scenario.text_table import TextTable
 from palpate_editor.views.scenario.time_line import TimeLine
 from palpate_editor.views.stages.facts import write_label
-from palpate_editor.views.stages.stage_panel import StagePanel
+from palpate_editor.views.stages.stage_panel import StagePanel, Workers
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.place_tool import PlaceTool
@@ -60,7 +63,15 @@ class ScenarioPanel(StagePanel):
             tr("Simulated hands try the task out. They test its numbers, not what it teaches."),
         ]  # fmt: skip
 
+    @classmethod
+    def make(cls, workers: Workers, parent: QWidget) -> ScenarioPanel:
+        panel = cls(workers.context, parent)
+        panel.publishing = workers.publishing
+        return panel
+
     def __init__(self, context: Context, parent: QWidget | None = None):
+        self.publishing: Publishing | None = None
+        """Which is told how hands have fared."""
         self.draft = Draft(context)
         self.found: tuple[Organ | None, list[TaskProblem]] = (None, [])
         self._checking: Organ | None = None
@@ -100,6 +111,8 @@ class ScenarioPanel(StagePanel):
         self.limits = limits.add(LimitList(self.draft, self))
         self.time = limits.add(NumberRow("time_limit", tr("Time limit"), "s", 1.0, 10.0, 60, self))
         self.time.entered.connect(self._set_time)
+        values = self.section(tr("Levels and parameters"))
+        self.values = values.add(ParameterTable(self.draft, self))
         texts = self.section(tr("Texts"))
         self.texts = texts.add(TextTable(self.draft, self))
         hands = self.section(tr("Self-play"))
@@ -107,7 +120,7 @@ class ScenarioPanel(StagePanel):
         self.line = hands.add(TimeLine(self))
         self.played = hands.add(write_label("", "note", self))
         self.played.setWordWrap(True)
-        self.parts = [steps, limits, texts, hands]
+        self.parts = [steps, limits, values, texts, hands]
         self.draft.shown.connect(self._show_draft)
 
     def _build_play(self) -> QHBoxLayout:
@@ -277,8 +290,7 @@ class ScenarioPanel(StagePanel):
 
     def _set_time(self, seconds: float) -> None:
         if self.draft.assessment is not None and seconds > 0.0:
-            finish = {**self.draft.assessment["finish"], "time_limit_s": seconds}
-            self.draft.apply({**self.draft.assessment, "finish": finish}, "finish")
+            self.draft.change("finish", author_values.set_time, seconds)
 
     def _set_level(self) -> None:
         self.draft.level = str(self.level.currentData() or "")
@@ -316,7 +328,10 @@ class ScenarioPanel(StagePanel):
         title = tr("Hands play every level")
         self.context.jobs.start(title, work, self._take_every, self.context.refuse)
 
-    def _take_every(self, problems: list[Report]) -> None:
+    def _take_every(self, tried: Report) -> None:
+        if self.publishing is not None:
+            self.publishing.tried = tried
+        problems = tried["problems"]
         lines = [f"{problem['where']}: {problem['message']}" for problem in problems]
         good = tr("Careful hands finish, idle and violent ones do not.")
         self.played.setText("\n".join(lines) or good)

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every board of the trainee's window, in each language and at 100 to 200 %: nothing is cut off."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import palpate
+import pytest
+from palpate import scenario
+from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.player import TraineeWindow
+from palpate.player.boards import Board
+from palpate.player.debrief import Debriefed
+from palpate.player.moments import Moment
+from palpate.runs.play import open_play
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton
+from windows import keep_picture
+
+MESHES = Path(__file__).resolve().parents[2] / "meshes"
+SIZES = {"100": (1920, 1080), "150": (1280, 720), "200": (960, 540)}
+"""[px] of a screen of 1920 x 1080 as a window has it at a scale, in per cent."""
+LONG = [
+    *("display", "ticks", "link_loss", "round_trip", "noise", "drift", "targets", "wall", "buzz"),
+    *("force", "stop"),
+]
+
+
+@pytest.fixture(scope="module")
+def task(tmp_path_factory) -> Path:
+    path = MESHES / "scenarios" / "simple_tissue.json"
+    organ = scenario.read(MESHES / "published" / "simple_tissue.palpate")
+    out = tmp_path_factory.mktemp("boards") / "tissue.palpate"
+    scenario.write(out, with_assessment(path, read_assessment(path), organ))
+    return out
+
+
+def earlier(number: int, outcome: str = "done") -> dict:
+    return {
+        "attempt": f"a{number}", "scenario": "simple", "level": "normal", "outcome": outcome,
+        "title": {"en": "Simple tissue: touch, hold, pull, push",
+                  "tr": "Basit doku: dokunma, tutma, çekme, itme"},
+        "device": "mouse", "started": f"2026-11-2{number}T08:15:00.000+00:00", "ticks": 12_000,
+        "time_s": 12.0 + number, "errors": 1.0, "peak_force_N": 0.75,
+    }  # fmt: skip
+
+
+def fill(window: TraineeWindow) -> None:
+    """With as much as there can be to read."""
+    over, play = window.over, window.play
+    before = [earlier(number, ["done", "failed", "timed_out"][number % 3]) for number in range(5)]
+    limits = play.say_limits()
+    over.start.tell_brief(limits, before, False, Path("/home/somewhere/records/traces"))
+    for button in (over.start.ghost, over.start.check, over.start.history):
+        button.show()
+    over.consent.tell(window.language, "ABCDEFGH")
+    over.who.refuse("A code that nobody has on this computer, " * 2)
+    checks = [{"name": name, "value": 0.5, "unit": "-", "bound": 1.0, "ok": False} for name in LONG]
+    over.check.tell({"force": True, "checks": checks, "ok": False})
+    over.history.tell(before, "dark")
+    state = palpate.Progress(play.drawn.task).state
+    goals = [{"metric": "time", "value": 31.0, "at_most": 30.0, "met": False},
+             {"metric": "errors", "value": 1, "at_most": 0, "met": False}]  # fmt: skip
+    moments = [Moment(number, 3.0, 0.4) for number in range(min(2, len(limits)))]
+    kept = "/home/somewhere/with/a/long/name/records.sqlite"
+    over.debrief.tell(Debriefed(state, goals, limits, moments, before, kept))
+    over.end.tell(12.0, 0.5, "/home/somewhere/records/tissue-20261126-081500.prec", "", state)
+
+
+def find_cut(board: Board) -> list[str]:
+    """Texts of a board that have less room than they need."""
+    cut = []
+    room = board.viewport().width()
+    if board.page.width() > room:
+        cut.append(f"the page is {board.page.width()} px wide, of {room}")
+    for label in board.findChildren(QLabel):
+        if not label.isVisible() or not label.text():
+            continue
+        if label.wordWrap():
+            high = label.height() < label.heightForWidth(label.width())
+            wide = label.width() < label.minimumSizeHint().width()
+        else:
+            high = label.height() < label.sizeHint().height()
+            wide = label.width() < label.sizeHint().width()
+        if high or wide:
+            cut.append(f"label {label.text()!r}: {label.size().toTuple()}")
+    for button in board.findChildren(QPushButton):
+        if button.isVisible() and button.width() < button.sizeHint().width():
+            cut.append(f"button {button.text()!r}: {button.width()} of {button.sizeHint().width()}")
+    return cut
+
+
+@pytest.mark.parametrize("scale", SIZES)
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_no_text_of_any_board_is_cut_off(open_window, task, language, scale):
+    window = open_window(open_play(task))
+    window.view.setUpdatesEnabled(False)  # the picture is not what is looked at
+    window.use_language(language)
+    window.resize(*SIZES[scale])
+    fill(window)
+    cut = {}
+    for board in window.over.boards:
+        window.show_board(board)
+        QApplication.processEvents()
+        window.over.place()
+        name = f"{language}_{scale}_{type(board).__name__}"
+        found = find_cut(board)
+        if found:
+            cut[type(board).__name__] = found
+        assert window.rect().contains(board.geometry()), name
+        assert not board.geometry().intersects(window.over.notice.geometry()), name
+        keep_picture(board, f"board_{name}")
+
+    assert cut == {}
+
+
+@pytest.mark.parametrize("scale", SIZES)
+def test_every_button_of_every_board_is_reached_by_keys(open_window, task, scale):
+    """By Tab; of a row of which one is down by Tab to that one."""
+    window = open_window(open_play(task))
+    window.view.setUpdatesEnabled(False)
+    window.resize(*SIZES[scale])
+    fill(window)
+    for board in window.over.boards:
+        window.show_board(board)
+        QApplication.processEvents()
+        wanted = {
+            button
+            for button in board.findChildren(QPushButton)
+            if button.isVisible() and button.isEnabled()
+            and not (button.isCheckable() and not button.isChecked())
+        }  # fmt: skip
+        seen = set()
+        for _ in range(3 * len(wanted) + 5):
+            seen.add(window.focusWidget())
+            window.focusNextChild()
+        missed = [button.text() for button in wanted - seen]
+        assert missed == [], type(board).__name__
+        unnamed = [b for b in wanted if not (b.text() or b.accessibleName())]
+        assert unnamed == []
