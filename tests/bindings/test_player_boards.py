@@ -50,7 +50,7 @@ def fill(window: TraineeWindow) -> None:
     over, play = window.over, window.play
     before = [earlier(number, ["done", "failed", "timed_out"][number % 3]) for number in range(5)]
     limits = play.say_limits()
-    over.start.tell_brief(limits, before, False, Path("/home/somewhere/records/traces"))
+    over.start.tell_brief(limits, before, False, Path("/records/of/somewhere/records/traces"))
     for button in (over.start.ghost, over.start.check, over.start.history):
         button.show()
     over.consent.tell(window.language, "ABCDEFGH")
@@ -62,9 +62,9 @@ def fill(window: TraineeWindow) -> None:
     goals = [{"metric": "time", "value": 31.0, "at_most": 30.0, "met": False},
              {"metric": "errors", "value": 1, "at_most": 0, "met": False}]  # fmt: skip
     moments = [Moment(number, 3.0, 0.4) for number in range(min(2, len(limits)))]
-    kept = "/home/somewhere/with/a/long/name/records.sqlite"
+    kept = "/records/of/somewhere/with/a/long/name/records.sqlite"
     over.debrief.tell(Debriefed(state, goals, limits, moments, before, kept))
-    over.end.tell(12.0, 0.5, "/home/somewhere/records/tissue-20261126-081500.prec", "", state)
+    over.end.tell(12.0, 0.5, "/records/of/somewhere/records/tissue-20261126-081500.prec", "", state)
 
 
 def find_cut(board: Board) -> list[str]:
@@ -109,7 +109,9 @@ def test_no_text_of_any_board_is_cut_off(open_window, task, language, scale):
             cut[type(board).__name__] = found
         assert window.rect().contains(board.geometry()), name
         assert not board.geometry().intersects(window.over.notice.geometry()), name
+        window.view.setUpdatesEnabled(True)
         keep_picture(board, f"board_{name}")
+        window.view.setUpdatesEnabled(False)
 
     assert cut == {}
 

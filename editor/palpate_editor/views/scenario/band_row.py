@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QGridLayout, QLabel, QSlider, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QSlider, QWidget
 
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import number, tr
@@ -31,6 +31,8 @@ class SliderRow(QWidget):
     def __init__(self, text: str, unit: str, scale: float, step: float, parent: QWidget | None):
         """`step` is one tick of a slider in the shown unit."""
         super().__init__(parent)
+        # a form that is scrolled takes from all that may be lower than it likes
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.unit, self.scale, self.step = unit, scale, step
         self._writing = False
         self.grid = QGridLayout(self)
