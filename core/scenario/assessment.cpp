@@ -240,6 +240,7 @@ DrawnTask read_all(const Scenario& scenario, const std::string& level, std::uint
   Parameters parameters(drawn.id, drawn.level, seed);
   parameters.read(fields, file, kWhere, levels);
   read_places(fields, scenario.assessment_arrays, file, kWhere, parameters, names, drawn);
+  parameters.check_places(file, kWhere, names.places);
   read_inclusion(fields, parameters, names, drawn);
   read_steps(fields, parameters, names, drawn);
   read_limits(fields, parameters, names, drawn);

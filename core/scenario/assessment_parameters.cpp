@@ -79,7 +79,7 @@ void Parameters::read(Fields& fields, const std::string& file, const std::string
 }
 
 DrawnValue Parameters::draw_value(const std::string& name, Fields fields,
-                                  const std::vector<std::string>& levels) const {
+                                  const std::vector<std::string>& levels) {
   DrawnValue drawn{.name = name, .unit = "", .value = 0.0, .place = ""};
   constexpr std::array<const char*, 7> kUnits = {"N", "m", "s", "rad", "m3", "1", kPlaceUnit};
   drawn.unit = kUnits[fields.choice("unit", {"N", "m", "s", "rad", "m3", "1", kPlaceUnit})];
@@ -105,6 +105,8 @@ DrawnValue Parameters::draw_value(const std::string& name, Fields fields,
       if (of_text ? !choice.is_string() : !choice.is_number()) {
         fields.refuse("choose", describe(choice), of_text ? "ids of places" : "numbers");
       }
+      if (of_text) choices_[name].push_back(choice.get<std::string>());
+      if (!of_text) read_finite(fields, "choose", choice);
     }
     if (of_text) drawn.place = chosen.get<std::string>();
     if (!of_text) drawn.value = read_finite(fields, "choose", chosen);
@@ -177,6 +179,17 @@ std::string Parameters::place(Fields& fields, const char* name) {
   const DrawnValue& found = find(fields, name, text);
   if (found.unit != kPlaceUnit) fields.refuse(name, "a number", "a place");
   return found.place;
+}
+
+void Parameters::check_places(const std::string& file, const std::string& where,
+                              const std::map<std::string, int, std::less<>>& places) const {
+  for (const auto& [name, choices] : choices_) {
+    for (const std::string& choice : choices) {
+      if (places.contains(choice)) continue;
+      throw FileError(file, where + ".parameters." + name + ".choose", describe(Json(choice)),
+                      "the id of a place");
+    }
+  }
 }
 
 void Parameters::finish(const std::string& file, const std::string& where) const {

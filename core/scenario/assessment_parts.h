@@ -44,13 +44,16 @@ class Parameters {
   /// A place, or "$name" of one.
   std::string place(Fields& fields, const char* name);
 
+  /// Refuses parameters that choose what is none of the places, whichever this seed has drawn.
+  void check_places(const std::string& file, const std::string& where,
+                    const std::map<std::string, int, std::less<>>& places) const;
   /// Refuses parameters that nothing has asked for.
   void finish(const std::string& file, const std::string& where) const;
   std::vector<DrawnValue> list() const;
 
  private:
   DrawnValue draw_value(const std::string& name, Fields fields,
-                        const std::vector<std::string>& levels) const;
+                        const std::vector<std::string>& levels);
   double choose_value(Fields& fields, const std::vector<std::string>& levels) const;
   const DrawnValue& find(Fields& fields, const char* name, const std::string& reference);
 
@@ -58,6 +61,7 @@ class Parameters {
   std::uint64_t seed_;
   std::map<std::string, DrawnValue, std::less<>> values_;
   std::set<std::string, std::less<>> used_;
+  std::map<std::string, std::vector<std::string>> choices_;  ///< of those that choose a place
 };
 
 /// Where the rows of a task stand, by id.

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import copy
 import json
+import math
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +21,7 @@ from palpate.assessment.selfplay import attempt, judge_hands, play_all
 from palpate.assessment.texts import find_text
 from palpate.cli.main import main
 from palpate.files.refusal import Refusal
+from palpate.runs.play import open_play
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
 SCENARIOS = MESHES / "scenarios"
@@ -97,6 +100,75 @@ def test_what_is_wrong_is_refused_in_a_sentence(tissue, number):
     assert refused.value.file == "changed.json"
     assert refused.value.got
     assert refused.value.expected
+
+
+HOSTILE_NUMBERS = [1e308, -1e308, math.nan, math.inf, True, "x", "$nobody", [], {}]
+HOSTILE_TEXTS = ["../../../etc/passwd", "$nobody", "x" * 1_000_001, "", "\x00", 1e308, None, [], {}]
+FREE = ("version", "texts")
+"""What a person reads: any text that is not too long."""
+
+
+def list_leaves(value: Any, path: tuple = ()) -> Iterator[tuple[tuple, Any]]:
+    """Every number and text with its place, those of a list by its first one alone."""
+    if isinstance(value, dict):
+        for key, each in value.items():
+            yield from list_leaves(each, (*path, key))
+    elif isinstance(value, list):
+        rows = value if path and path[-1] in ("steps", "limits", "goals") else value[:1]
+        for number, each in enumerate(rows):
+            yield from list_leaves(each, (*path, number))
+    else:
+        yield path, value
+
+
+def put(assessment: Json, path: tuple, value: object) -> Json:
+    changed = copy.deepcopy(assessment)
+    row: Any = changed
+    for key in path[:-1]:
+        row = row[key]
+    row[path[-1]] = value
+    return changed
+
+
+@pytest.mark.parametrize("name", ["simple_tissue", "spleen_push_and_pull", "kidney_trace"])
+def test_no_hostile_value_comes_through_at_any_place(name):
+    assessment = read_assessment(SCENARIOS / f"{name}.json")
+    organ = scenario.read(MESHES / "published" / f"{ORGANS[name]}.palpate")
+    through = []
+    for path, value in list_leaves(assessment):
+        of_number = isinstance(value, int | float)
+        for hostile in HOSTILE_NUMBERS if of_number else HOSTILE_TEXTS:
+            free = path[0] in FREE and isinstance(hostile, str) and len(hostile) < 100
+            try:
+                with_assessment("changed.json", put(assessment, path, hostile), organ)
+            except Refusal as refused:
+                assert refused.got and refused.expected
+                if free:
+                    through.append((path, "refused", hostile))
+                continue
+            if not free:
+                through.append((path, value, str(hostile)[:30]))
+
+    assert through == []
+
+
+def test_a_seed_that_draws_what_cannot_be_judged_is_refused_when_it_is_played(tmp_path):
+    base = read_assessment(SCENARIOS / "spleen_push_and_pull.json")
+    base["parameters"]["depth"] = {"unit": "m", "uniform": [0.005, 0.011]}  # at most is 0.01
+    organ = scenario.read(MESHES / "published" / "spleen.palpate")
+    out = tmp_path / "some.palpate"
+    scenario.write(out, with_assessment("some.json", base, organ))
+    refused = []
+    for seed in range(40):
+        try:
+            open_play(out, seed=seed)
+        except Refusal as problem:
+            refused.append(f"{problem}")
+
+    assert 1 <= len(refused) < 20
+    assert all("an empty band" in text and "seed" in text for text in refused)
+    said = [each.message for each in find_problems(scenario.read(out))]
+    assert any("an empty band" in text for text in said)
 
 
 def test_text_that_is_no_assessment_is_refused(tmp_path):

@@ -13,8 +13,10 @@ from palpate.player import TraineeWindow
 from palpate.player.boards import Board
 from palpate.player.debrief import Debriefed
 from palpate.player.moments import Moment
+from palpate.player.scenario_cards import ScenariosWindow
 from palpate.runs.play import open_play
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton
+from palpate.viewport.application import use_language
+from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QPushButton
 from windows import keep_picture
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
@@ -114,6 +116,27 @@ def test_no_text_of_any_board_is_cut_off(open_window, task, language, scale):
         window.view.setUpdatesEnabled(False)
 
     assert cut == {}
+
+
+@pytest.mark.parametrize("size", [(1100, 760), (960, 540)])
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_no_text_of_a_card_is_cut_off(shown, task, language, size):
+    window = ScenariosWindow(task.parent, language=language)
+    use_language(language)
+    shown(window)
+    window.resize(*size)
+    window.say()
+    QApplication.processEvents()
+    (card,) = window.cards
+    cut = [label.text() for label in card.findChildren(QLabel)
+           if label.text() and label.height() < label.heightForWidth(label.width())]  # fmt: skip
+    cut += [button.text() for button in window.findChildren(QPushButton)
+            if button.isVisible() and button.width() < button.sizeHint().width()]  # fmt: skip
+    cut += [box.currentText() for box in card.findChildren(QComboBox)
+            if box.isVisible() and box.width() < box.sizeHint().width()]  # fmt: skip
+    keep_picture(window, f"cards_{language}_{size[0]}")
+    window.close()
+    assert cut == []
 
 
 @pytest.mark.parametrize("scale", SIZES)

@@ -301,10 +301,14 @@ def test_a_simulated_hand_gets_ready_beside_the_window(open_window, qtbot, short
 
 
 def test_no_ghost_gives_away_what_is_to_be_found(open_window, database, tmp_path):
-    path = MESHES / "scenarios" / "liver_hidden_lump.json"
-    organ = scenario.read(MESHES / "published" / "liver.palpate")
-    out = tmp_path / "lump.palpate"
-    scenario.write(out, with_assessment(path, read_assessment(path), organ))
+    path = MESHES / "scenarios" / "simple_tissue.json"
+    assessment = read_assessment(path)
+    (find,) = [step for step in assessment["steps"] if step["id"] == "touch"]
+    assessment["steps"] = [{**find, "do": "find", "force_N": [0.1, "$press"]}]
+    del assessment["goals"]
+    organ = scenario.read(MESHES / "published" / "simple_tissue.palpate")
+    out = tmp_path / "hidden.palpate"
+    scenario.write(out, with_assessment(path, assessment, organ))
     window = open_window(open_play(out))
     assert not window.attendance.ghost.is_offered()
     click(window.over.who.practice)

@@ -183,7 +183,7 @@ def refuse(file: object, sentence: str) -> Refusal:
     got, _, expected = rest.rpartition(", expected ")
     if not expected:
         return Refusal(file, "", sentence, "an assessment that can be judged")
-    where = where.removeprefix("manifest.json: content.assessment").lstrip(".")
+    where = where.replace("manifest.json: content.assessment", "").lstrip(".")
     return Refusal(file, where, got, expected)
 
 

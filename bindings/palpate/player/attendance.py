@@ -31,7 +31,7 @@ class Attendance(QObject):
     def __init__(self, window: Host, parent: QObject):
         super().__init__(parent)
         self.window, self.play, self.over = window, window.play, window.over
-        self.moments = Moments()
+        self.moments = Moments(window.scene)
         self.found: list[Moment] = []
         self._before: list[Report] = []
         self._limits: list[str] = []
@@ -99,7 +99,7 @@ class Attendance(QObject):
         self.close()
         self.signals.reset()
         self._limits = self.play.say_limits()
-        self.moments, self.found = Moments(), []
+        self.moments, self.found = Moments(self.window.scene), []
         folder = self.admission.practice_folder
         if folder is not None:
             self._count += 1

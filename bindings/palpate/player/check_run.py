@@ -23,6 +23,7 @@ from palpate.runs.play import find_driver
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
 from palpate.viewport import PointerHand
+from palpate.viewport.instruments import see_instruments
 
 if TYPE_CHECKING:
     from palpate.player.host import Host
@@ -130,9 +131,9 @@ class CheckRun(QObject):
             self._cleared = clock
             self._bring_back(run)
         if frame is not None:
-            view, tool = self.window.view, self.window.scene.instruments[0].tool
+            view = self.window.view
             view.move_surface(join_positions(frame.positions))
-            view.show_instrument(tool, frame.tool_position, frame.instruments[0].tool_orientation)
+            view.show_instruments(see_instruments(check.scene, frame))
             view.show_force(frame.tool_position, frame.force)
             self.over.force.show_force(float(np.linalg.norm(frame.force)))
             check.take(frame, clock, cut)
@@ -196,7 +197,7 @@ class CheckRun(QObject):
         view.hint.say(None)
         view.show_part("target", None, MARK)
         view.show_force(None)
-        view.show_tool(None)
+        view.show_instruments(())
         view.use_appearance(find_appearance(self.window.play.scenario))
         view.show_surface(join_rest_surfaces(scene), join_triangles(scene))
         view.frame_all()

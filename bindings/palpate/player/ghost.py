@@ -11,20 +11,14 @@ import palpate
 from palpate.assessment.selfplay import Attempt
 from palpate.player.hand_work import HandWork
 from palpate.player.sentences import translate
-from palpate.render import Appearance, build_instrument, place_instrument
-from palpate.render.shapes import Shape, build_sphere
-from palpate.render.theme import STEEL
 from palpate.runs.live import Frame, LiveRun
 from palpate.scene.surfaces import join_positions, join_rest_surfaces
+from palpate.viewport.instruments import see_instruments
 
 if TYPE_CHECKING:
     from palpate.player.host import Host
 
 FRAME_MS = 16
-GHOST = Appearance(STEEL, gloss=0.6, subsurface=0.0, seen_through=True, ghost=0.6,
-                   casts_shadow=False)  # fmt: skip
-"""It is not the trainee's own tool."""
-PART = "ghost"
 
 
 class Ghost(QObject):
@@ -120,7 +114,7 @@ class Ghost(QObject):
     def _show(self, frame: Frame) -> None:
         view = self.window.view
         view.move_surface(join_positions(frame.positions))
-        view.show_part(PART, place_tool(self.window.scene.instruments[0].tool, frame), GHOST)
+        view.show_instruments(see_instruments(self.window.scene, frame))
         self.window.play.state = frame.task
         self.over.tell_task()
         self.over.place()
@@ -134,14 +128,6 @@ class Ghost(QObject):
         self.window.play.state = None
         self.over.tell_task()
         view = self.window.view
-        view.show_part(PART, None, GHOST)
+        view.show_instruments(())
         view.move_surface(join_rest_surfaces(self.window.scene))
         self._say("")
-
-
-def place_tool(tool: palpate.Tool, frame: Frame) -> Shape:
-    """The tool where the hand of a frame has it."""
-    shape = build_instrument(tool)
-    if shape is None:
-        return build_sphere(frame.tool_position, tool.radius)
-    return place_instrument(shape, frame.tool_position, frame.instruments[0].tool_orientation)

@@ -54,7 +54,7 @@ class MomentReplay(QObject):
             return
         shot = moment.shots[self._at]
         view.move_surface(shot.surface)
-        view.show_tool(shot.tip, self.window.scene.instruments[0].tool.radius)
+        view.show_instruments(shot.instruments)
         view.show_force(shot.tip, shot.force)
         self.window.over.clock.show_time(shot.time)
         self._at += 1

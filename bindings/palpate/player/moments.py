@@ -9,8 +9,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+import palpate
 from palpate.runs.live import Frame
 from palpate.scene.surfaces import join_positions
+from palpate.viewport.instruments import SeenInstrument, see_instruments
 
 BEFORE, AFTER = 2.0, 1.0
 """[s] of a moment."""
@@ -27,7 +29,10 @@ class Shot:
     surface: NDArray[np.float32]
     """[m] (n, 3)"""
     tip: NDArray[np.float64]
+    """[m]"""
+    instruments: list[SeenInstrument]
     force: NDArray[np.float64]
+    """[N]"""
 
 
 @dataclass
@@ -46,7 +51,8 @@ class Moment:
 class Moments:
     """Takes the frames of a run as they are drawn, and keeps those around its worst moments."""
 
-    def __init__(self) -> None:
+    def __init__(self, scene: palpate.Scene) -> None:
+        self._scene = scene
         self.found: list[Moment] = []
         self._last: deque[Shot] = deque()
         self._counts: list[int] = []
@@ -58,7 +64,8 @@ class Moments:
         if not limits:
             return
         surface = np.asarray(join_positions(frame.positions), dtype=np.float32)
-        shot = Shot(frame.time, surface, frame.tool_position, frame.force)
+        seen = see_instruments(self._scene, frame)
+        shot = Shot(frame.time, surface, frame.tool_position, seen, frame.force)
         self._last.append(shot)
         while self._last and frame.time - self._last[0].time > BEFORE:
             self._last.popleft()

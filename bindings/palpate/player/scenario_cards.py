@@ -285,6 +285,8 @@ class ScenariosWindow(QWidget):
             return
 
     def _show_picture(self) -> None:
+        if not self._waiting:  # the window was closed meanwhile
+            return
         card = self._waiting.pop(0)
         self._use_picture(card, find_picture(card.path))
         self._draw_next()

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import palpate
 from palpate.assessment.hands import HANDS
-from palpate.assessment.publish import take_attempt
+from palpate.assessment.publish import refuse, take_attempt
 from palpate.assessment.selfplay import attempt
 from palpate.assessment.texts import find_text
 from palpate.assessment.verdict import describe_verdict, pick_events
@@ -258,7 +258,9 @@ def open_play(
 def draw_attempt(
     path: Path, scenario: palpate.scenario.Scenario, level: str, seed: int
 ) -> palpate.scenario.DrawnTask | None:
-    """The task of an attempt, None where there is none. Raises WrongCall for another level."""
+    """The task of an attempt, None where there is none. Raises WrongCall for another level, and
+    Refusal where what this seed draws cannot be judged.
+    """
     if not scenario.assessment:
         if level or seed:
             raise WrongCall(f"--level or --seed: {path.name} has no task that is judged")
@@ -267,7 +269,10 @@ def draw_attempt(
     if level and level not in levels:
         known = ", ".join(levels) or "none: it has no levels"
         raise WrongCall(f"--level: got {level!r}, expected {known}")
-    return palpate.scenario.draw_task(scenario, level, seed)
+    try:
+        return palpate.scenario.draw_task(scenario, level, seed)
+    except ValueError as problem:
+        raise refuse(path, f"seed {seed}: {problem}") from None
 
 
 def play_headless(play: Play) -> Report:

@@ -151,6 +151,8 @@ TEST_CASE("an assessment that cannot be judged is refused, with its place and wh
       {with(R"(["$press", 0.5])", R"(["$press", 0.1])"), "an empty band"},
       {with(R"(["$press", 0.5])", R"(["$pres", 0.5])"), "the name of a parameter"},
       {with(R"(["$press", 0.5])", R"([0.2, 0.5])"), "a parameter that nothing uses"},
+      {with(R"(["top", "side"])", R"(["top", "../side"])"), "parameters.where.choose: got"},
+      {with(R"(["top", "side"])", R"(["nowhere", "side"])"), "the id of a place"},
       {with(R"("after": ["a"])", R"("after": ["f"])"), "wait for each other in a circle"},
       {with(R"("after": ["a"])", R"("after": ["z"])"), "the id of a step"},
       {with(R"("id": "c")", R"("id": "b")"), "once more"},
