@@ -25,19 +25,25 @@ from palpate_editor.trial import LEAST_DEPTHS, LONG_TICK, LONGEST_TICK
 
 MOST_TRIED, FREE = 12, 3.0
 """Places that are chosen from; tip radii that one is away from what is held."""
+AROUND, REACH = 3, 0.35
+"""Points around a place that make a spot with it, and how far away they are, in edges of the
+coarser surface: whether a vertex or the middle of a triangle lies under the tip changes what is
+felt at a point, to either side, and no hand comes to the same point twice."""
 LEAST_FORCE = 1e-4
 """[N] below which nothing is felt that a share could be told of."""
 
 
 @dataclass(frozen=True)
 class FeltPlace:
-    """A point that was pressed on both."""
+    """A spot that was pressed on both: a point and some around it, nearer than an edge."""
 
     point: tuple[float, float, float]
     """[m] on the surface of before"""
     before: float | None
-    """[N] on the hand; None where an alarm ended the press"""
+    """[N] on the hand, the mean over the spot; None where an alarm ended a press"""
     after: float | None
+    single: tuple[float, float] | None = None
+    """[-] The least and the greatest change of a single point of the spot, of its own force."""
 
     @property
     def change(self) -> float | None:
@@ -73,7 +79,7 @@ class FeltChange:
 
 
 def measure_felt_change(before: Organ, after: Organ) -> FeltChange:
-    """Presses both at the same points, on any thread: some seconds.
+    """Presses both at the same spots, on any thread: some seconds.
 
     Each is compiled as it is, so that constants that come from tissue are derived for its own
     surface. An organ that cannot be built, or ticks too slowly to be waited for, is not pressed.
@@ -95,9 +101,42 @@ def measure_felt_change(before: Organ, after: Organ) -> FeltChange:
         return FeltChange(DEPTH, untold=phrase("it is too small to be pressed"))
     places = choose_free(scenes[0], (before, after))
     places = places if max(ticks) <= LONG_TICK else places[:1]
-    moved = [Place(find_place(scenes[1], p.point).point, p.outward) for p in places]
-    rows = zip(places, press(scenes[0], places), press(scenes[1], moved), strict=True)
-    return FeltChange(DEPTH, tuple(FeltPlace(to_tuple(p.point), one, two) for p, one, two in rows))
+    reach = REACH * max(find_edge(organ) for organ in (before, after))
+    return FeltChange(DEPTH, tuple(press_spot(scenes, place, reach) for place in places))
+
+
+def find_edge(organ: Organ) -> float:
+    """[m] The mean over its triangles."""
+    assert organ.surface is not None
+    corners = organ.surface.vertices[organ.surface.triangles]
+    return float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).mean())
+
+
+def press_spot(scenes: list[palpate.Scene], place: Place, reach: float) -> FeltPlace:
+    spot = spread_about(scenes[0], place, reach)
+    moved = [Place(find_place(scenes[1], p.point).point, p.outward) for p in spot]
+    forces = [press(scene, each) for scene, each in zip(scenes, (spot, moved), strict=True)]
+    before, after = (find_mean(each) for each in forces)
+    points = [FeltPlace(to_tuple(place.point), one, two) for one, two in zip(*forces, strict=True)]
+    single = [point.change for point in points if point.change is not None]
+    span = (min(single), max(single)) if single else None
+    return FeltPlace(to_tuple(place.point), before, after, span)
+
+
+def spread_about(scene: palpate.Scene, place: Place, reach: float) -> list[Place]:
+    """The place and those around it, `reach` [m] away along the surface's plane there."""
+    along = np.cross(place.outward, np.eye(3)[np.abs(place.outward).argmin()])
+    along /= np.linalg.norm(along)
+    aside = np.cross(place.outward, along)
+    turns = 2.0 * np.pi * np.arange(AROUND) / AROUND
+    ring = [place.point + reach * (np.cos(a) * along + np.sin(a) * aside) for a in turns]
+    return [place, *(find_place(scene, point) for point in ring)]
+
+
+def find_mean(forces: list[float | None]) -> float | None:
+    """[N] None where one is missing."""
+    known = [force for force in forces if force is not None]
+    return sum(known) / len(known) if len(known) == len(forces) else None
 
 
 def choose_free(scene: palpate.Scene, organs: tuple[Organ, Organ]) -> list[Place]:

@@ -60,7 +60,7 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         radius = 1e-4 * math.ceil(1e4 * EDGES_PER_RADIUS * surface.mean_edge)
         return SetConstant("tool", "radius", radius)
     if problem.key == "open_solid" and organ.model.kind in FILLED:
-        return CapHoles(even=True)
+        return CapHoles(even=True, bent=True)
     if problem.key == "constant":
         part, field = problem.where.split(".")
         return SetConstant(part, field, getattr(getattr(EMPTY, part), field))

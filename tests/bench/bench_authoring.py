@@ -152,7 +152,7 @@ def time_repairs(repeats: int) -> Iterator[Row]:
     steps = [
         (edits.CleanUp(), damaged, 1.0),
         (edits.StitchBorders(), cut(organ), 1.0),
-        (edits.FillHoles(even=True), opened, 1.0),
+        (edits.FillHoles(even=True, bent=True), opened, 1.0),
         (edits.Smooth(10), opened, 1.0),
         (edits.RemoveCrossings(), folded, 10.0),
         (edits.Wrap(), damaged, 10.0),

@@ -91,7 +91,7 @@ EXAMPLES = [
     (edits.CutDisagreement(), ONE_SIDED),
     (edits.UniteShells(), IN_PIECES),
     (edits.FillHoles(), OPEN),
-    (edits.FillHoles(even=True), OPEN),
+    (edits.FillHoles(even=True, bent=True), OPEN),
     (edits.CapHoles(), OPEN),
     (edits.CleanUp(), INSIDE_OUT),
     (edits.StitchBorders(), UNWELDED),

@@ -151,7 +151,7 @@ def test_flat_tetrahedra_of_a_file_are_told_with_their_place():
 def test_an_open_organ_is_closed_for_filling_and_its_cap_is_known(opened):
     (loop,) = palpate.find_border_loops(opened.surface.triangles)
 
-    capped = CapHoles(even=True)(opened)
+    capped = CapHoles(even=True, bent=True)(opened)
 
     assert palpate.is_closed(capped.surface.triangles) and find_caps(capped) == ["cap"]
     count = opened.vertex_count
@@ -168,7 +168,7 @@ def test_a_chosen_wall_goes_with_it_and_other_regions_stay(opened):
     hollow = SetConstant("material", "wall_thickness", 2e-3)(opened)
     named = SetRegion("cap", np.array([1, 2, 3]))(hollow)
 
-    capped = CapHoles(even=True)(named)
+    capped = CapHoles(even=True, bent=True)(named)
 
     assert capped.material.wall_thickness is None
     assert list(capped.regions) == ["cap", "cap 2"]
@@ -186,7 +186,7 @@ def test_two_holes_have_two_caps():
     cut = make_organ((surface.vertices[used], number[surface.triangles]))
     assert len(palpate.find_border_loops(cut.surface.triangles)) == 2
 
-    capped = CapHoles(even=True)(cut)
+    capped = CapHoles(even=True, bent=True)(cut)
 
     assert find_caps(capped) == ["cap", "cap 2"]
     ends = [
@@ -196,7 +196,7 @@ def test_two_holes_have_two_caps():
 
 
 def test_a_cap_is_known_after_decimation_too(opened):
-    capped = CapHoles(even=True)(opened)
+    capped = CapHoles(even=True, bent=True)(opened)
 
     small = DecimateTo(300, features=True)(capped)
 
@@ -214,14 +214,14 @@ def pick_within(organ: Organ, name: str) -> np.ndarray:
 
 def test_a_closed_organ_has_nothing_to_close(spleen):
     with pytest.raises(EditError, match="There is no hole to fill"):
-        CapHoles(even=True)(spleen)
+        CapHoles(even=True, bent=True)(spleen)
 
 
 def test_a_solid_with_holes_is_offered_to_be_closed(opened):
     for organ in (opened, SetConstant("material", "wall_thickness", 2e-3)(opened)):
         (problem,) = (p for p in assess(organ).problems if p.key == "open_solid")
 
-        assert problem.fix == CapHoles(even=True) and "close it for filling" in str(
+        assert problem.fix == CapHoles(even=True, bent=True) and "close it for filling" in str(
             problem.expected
         )
         assert {p.key for p in assess(problem.fix(organ)).errors} <= {"no_title"}

@@ -29,10 +29,12 @@ class CapHoles:
     title: ClassVar[str] = "Close for filling"
     even: bool = field(default=False, metadata={LATER: True})
     """See FillHoles."""
+    bent: bool = field(default=False, metadata={LATER: True})
+    """See FillHoles."""
 
     def __call__(self, organ: Organ) -> Organ:
         surface = find_surface(organ)
-        closed = FillHoles(even=self.even)(organ)
+        closed = FillHoles(even=self.even, bent=self.bent)(organ)
         assert closed.surface is not None
         left = len(palpate.find_border_loops(closed.surface.triangles))
         if left:

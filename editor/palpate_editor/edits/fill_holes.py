@@ -12,6 +12,7 @@ import palpate
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface, phrase
+from palpate_editor.edits.bend_patch import bend_patches
 from palpate_editor.edits.carry import find_closest
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.edits.even_patch import even_patches
@@ -30,6 +31,9 @@ class FillHoles:
 
     even: bool = field(default=False, metadata={LATER: True})
     """With triangles as long as those of the rim. Histories from before that was done have none."""
+    bent: bool = field(default=False, metadata={LATER: True})
+    """Even patches go on in the planes of the triangles at the rim, where it allows that
+    (bend_patch.py). Histories from before that was done have none."""
 
     def __call__(self, organ: Organ) -> Organ:
         surface = find_surface(organ)
@@ -45,7 +49,7 @@ class FillHoles:
                     most=len(loops) - 1,
                 )
             )
-        closed = fill(surface, holes, self.even)
+        closed = fill(surface, holes, self.even, self.bent)
         if closed is surface:
             raise EditError(
                 phrase(
@@ -57,7 +61,8 @@ class FillHoles:
         if imported is surface:
             imported = closed
         elif imported is not None:
-            imported = fill(imported, match_holes(surface, holes, imported), self.even)
+            there = match_holes(surface, holes, imported)
+            imported = fill(imported, there, self.even, self.bent)
         filled = replace(
             organ,
             surface=closed,
@@ -75,7 +80,7 @@ class FillHoles:
         return settle_wall(filled, organ)
 
 
-def fill(surface: Surface, holes: Sequence[int], even: bool) -> Surface:
+def fill(surface: Surface, holes: Sequence[int], even: bool, bent: bool = False) -> Surface:
     """The surface with patches, its own vertices first; the very same where none fits."""
     mesh = palpate.SurfaceMesh(surface.vertices, surface.triangles)
     try:
@@ -87,7 +92,8 @@ def fill(surface: Surface, holes: Sequence[int], even: bool) -> Surface:
     closed = Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))
     if not even:
         return closed
-    return even_patches(closed, len(surface.vertices), len(surface.triangles))
+    evened = even_patches(closed, len(surface.vertices), len(surface.triangles))
+    return bend_patches(evened, surface) if bent else evened
 
 
 def spread(scale: np.ndarray, surface: Surface, closed: Surface) -> np.ndarray:

@@ -131,7 +131,7 @@ def choose_filling(state: State) -> Edit | None:
     if has_chosen_wall(state.organ):
         return None
     holes = tuple(find_damage(state.surface))
-    return FillHoles(holes, even=True) if holes else None
+    return FillHoles(holes, even=True, bent=True) if holes else None
 
 
 def choose_turning(state: State) -> Edit | None:

@@ -60,7 +60,7 @@ def fill_small(call: argparse.Namespace, organ: Organ) -> tuple[Organ, list[int]
     holes = find_holes(call, organ)
     if not holes:
         return organ, []
-    filled = apply(FillHoles(tuple(holes), even=True), organ, call.file, "--fill-holes")
+    filled = apply(FillHoles(tuple(holes), even=True, bent=True), organ, call.file, "--fill-holes")
     return filled, list(holes.values())
 
 

@@ -126,6 +126,7 @@ def report_felt(felt: FeltChange) -> Report:
                 "before_N": place.before,
                 "after_N": place.after,
                 "change": place.change,
+                "single_changes": None if place.single is None else list(place.single),
             }
             for place in felt.places
         ],
@@ -140,13 +141,23 @@ def describe_felt(felt: Report) -> list[str]:
     def say(value: float | None, form: str, scale: float = 1.0) -> str:
         return "-" if value is None else format(scale * value, form)
 
-    lines = [f"felt {1e3 * felt['depth_m']:g} mm deep, before and after:"]
+    deep = f"{1e3 * felt['depth_m']:g} mm"
+    lines = [
+        f"felt {deep} deep, before and after, mean over a spot (and the change at single points "
+        "of it):"
+    ]
     for place in felt["places"]:
         x, y, z = (f"{1e3 * c:.0f}" for c in place["point_m"])
         before, after = (say(place[name], ".1f", 1e3) for name in ("before_N", "after_N"))
         change = say(place["change"], "+.1%")
-        lines.append(f"  at ({x}, {y}, {z}) mm  {before} -> {after} mN  {change}")
-    return [*lines, f"  together {say(felt['mean_change'], '+.1%')}"]
+        single = [say(each, "+.1%") for each in place["single_changes"] or ()]
+        span = f"  ({' to '.join(single)})" if single else ""
+        lines.append(f"  at ({x}, {y}, {z}) mm  {before} -> {after} mN  {change}{span}")
+    largest = say(felt["largest_change"], "+.1%")
+    return [
+        *lines,
+        f"  together {say(felt['mean_change'], '+.1%')}, at one place {largest} at most",
+    ]
 
 
 def describe_decimate(report: Report) -> str:

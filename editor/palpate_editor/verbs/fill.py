@@ -52,7 +52,7 @@ def list_edits(call: argparse.Namespace, organ: Organ) -> list[tuple[str, Edit]]
     """What the call asks for, by its options."""
     edits: list[tuple[str, Edit]] = []
     if call.close:
-        edits.append(("--close", CapHoles(even=True)))
+        edits.append(("--close", CapHoles(even=True, bent=True)))
     if organ.model.kind not in FILLED:
         edits.append(("FILE", SetChoice("kind", "solid")))
     if call.tetrahedra is not None:

@@ -171,7 +171,7 @@ def choose_holes(call: argparse.Namespace, organ: Organ) -> FillHoles:
     holes = find_holes(call, organ)
     if not holes:
         raise Refusal(call.file, "--fill-holes", "a closed surface", "holes to fill")
-    return FillHoles(tuple(holes), even=True)
+    return FillHoles(tuple(holes), even=True, bent=True)
 
 
 def describe_repair(report: Report) -> str:

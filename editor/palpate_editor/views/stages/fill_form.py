@@ -107,4 +107,4 @@ class FillForm(Section):
         self.note.setText(text)
 
     def close_holes(self) -> None:
-        self.context.long_edit_wanted.emit(CapHoles(even=True))
+        self.context.long_edit_wanted.emit(CapHoles(even=True, bent=True))

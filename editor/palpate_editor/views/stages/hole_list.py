@@ -180,7 +180,7 @@ class HoleList(QWidget):
         if len(holes) == len(self.loops):
             self.fill_all()
         elif holes:
-            self.tasks.apply_slowly(FillHoles(holes, even=True))
+            self.tasks.apply_slowly(FillHoles(holes, even=True, bent=True))
 
     def fill_all(self) -> None:
-        self.tasks.apply_slowly(FillHoles(even=True))
+        self.tasks.apply_slowly(FillHoles(even=True, bent=True))
