@@ -252,7 +252,7 @@ def test_a_designer_makes_a_scenario_of_the_liver_in_under_30_clicks(
     out = tmp_path / "liver_task.palpate"
     choose_file(qtbot, window, out)
     designer.clicks += 1  # Save
-    designer.wait(out.exists)
+    designer.qtbot.waitUntil(out.exists, timeout=10 * PATIENCE)  # hands play it first
     settle(qtbot, window)
 
     assert designer.clicks < MOST_CLICKS, designer.clicks
