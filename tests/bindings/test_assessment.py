@@ -22,6 +22,7 @@ from palpate.assessment.texts import find_text
 from palpate.cli.main import main
 from palpate.files.refusal import Refusal
 from palpate.runs.play import open_play
+from tiers import keep_everyday
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
 SCENARIOS = MESHES / "scenarios"
@@ -130,7 +131,10 @@ def put(assessment: Json, path: tuple, value: object) -> Json:
     return changed
 
 
-@pytest.mark.parametrize("name", ["simple_tissue", "spleen_push_and_pull", "kidney_trace"])
+@pytest.mark.parametrize(
+    "name",
+    keep_everyday(["simple_tissue", "spleen_push_and_pull", "kidney_trace"], ["simple_tissue"]),
+)
 def test_no_hostile_value_comes_through_at_any_place(name):
     assessment = read_assessment(SCENARIOS / f"{name}.json")
     organ = scenario.read(MESHES / "published" / f"{ORGANS[name]}.palpate")

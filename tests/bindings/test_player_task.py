@@ -107,6 +107,7 @@ def test_a_walk_through_all_screens_keeps_the_attempt(
     play_to_the_end(window, qtbot)
 
     assert over.board() is over.debrief
+    assert not window.attendance.signals.glow.isVisible() and not over.caption.isVisible()
     picture(window, checkout, f"{language}_5_debrief")
     (row,) = list_attempts(Store())
     assert (row["person"], row["outcome"]) == (code, "done")

@@ -140,6 +140,7 @@ class Attendance(QObject):
 
     def end(self, record: Path, costs: palpate.LoopReport) -> None:
         """A run is over and its record complete. Raises OSError where its verdict is not kept."""
+        self.signals.fade()
         state = self.play.state
         if state is not None:
             self.found = self.moments.finish([limit.duration for limit in state.limits])

@@ -46,13 +46,12 @@ class Signals(QObject):
         self.glow = Glow(view)
         self._before: palpate.TaskState | None = None
         self._timer = QTimer(self, singleShot=True, interval=CAPTION_MS)
-        self._timer.timeout.connect(self._fade)
+        self._timer.timeout.connect(self.fade)
 
     def reset(self) -> None:
         """Before a run."""
-        self._timer.stop()
         self._before, self.heard = None, []
-        self._fade()
+        self.fade()
 
     def take(self, state: palpate.TaskState, limits: Sequence[str]) -> None:
         """`limits` is what each limit of the task says."""
@@ -85,7 +84,9 @@ class Signals(QObject):
             self.glow.show_over(self.view)
         self._timer.start()
 
-    def _fade(self) -> None:
+    def fade(self) -> None:
+        """Nothing is to be seen of it any more."""
+        self._timer.stop()
         self.glow.hide()
         if self.over.caption.sentence:
             self.over.caption.tell("")

@@ -3310,6 +3310,10 @@ Beklenen: {expected}.</translation>
         <source>{title}: hands try the task, {hand}</source>
         <translation>{title}: eller görevi deniyor, {hand}</translation>
     </message>
+    <message>
+        <source>A parameter is a number by name: levels give it other values, or the seed draws it. It can stand for a bound of a step or a limit.</source>
+        <translation>Parametre adı olan bir sayıdır: düzeyler ona başka değer verir ya da tohum onu çeker. Bir adımın ya da sınırın değeri yerine geçebilir.</translation>
+    </message>
 </context>
 <context>
     <name>constants</name>

@@ -60,6 +60,8 @@ class ScenarioPanel(StagePanel):
                "been so for as long as you say, and the next one begins."),
             tr("A limit is a warning, an error, or the end of the task. An organ without steps is "
                "published as one to feel."),
+            tr("A parameter is a number by name: levels give it other values, or the seed draws "
+               "it. It can stand for a bound of a step or a limit."),
             tr("Simulated hands try the task out. They test its numbers, not what it teaches."),
         ]  # fmt: skip
 
