@@ -17,6 +17,7 @@
 #include "palpate/sim/contact/tool.h"
 #include "palpate/sim/device/conformance.h"
 #include "palpate/sim/device/device.h"
+#include "palpate/sim/device/fulcrum_device.h"
 #include "palpate/sim/device/mailbox_device.h"
 #include "palpate/sim/device/safe_device.h"
 #include "palpate/sim/device/simulated_devices.h"

@@ -3662,6 +3662,70 @@ class ScriptedDevice(HapticDevice):
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
+class Fulcrum:
+    """A shaft through a trocar: where its tip is when its handle is held, and the other way
+    round.
+    """
+    def __init__(self, trocar: ArrayLike = ..., length: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    @property
+    def trocar(self) -> NDArray[np.float64]:
+        """[m] where the shaft passes the abdominal wall. Shape (3,), a view."""
+    @trocar.setter
+    def trocar(self, value: ArrayLike) -> None: ...
+    length: float
+    """[m] from the tip to the handle, positive."""
+    def __copy__(self) -> Fulcrum:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Fulcrum:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+def compute_fulcrum_tip(fulcrum: Fulcrum, handle: ArrayLike) -> NDArray[np.float64]:
+    """[m] The tip of a shaft whose handle is there, shape (3,); never nearer than 5 mm to the
+    trocar, on the side away from the handle.
+
+    Args:
+        fulcrum: Trocar and length of the shaft.
+        handle: [m] shape (3,).
+    """
+
+def compute_fulcrum_handle(fulcrum: Fulcrum, tip: ArrayLike) -> NDArray[np.float64]:
+    """[m] The handle of a shaft whose tip is there, shape (3,); likewise.
+
+    Args:
+        fulcrum: Trocar and length of the shaft.
+        tip: [m] shape (3,).
+
+    Args:
+        tip: [m] shape (3,)
+    """
+
+def carry_force(fulcrum: Fulcrum, handle: ArrayLike, f: ArrayLike) -> NDArray[np.float64]:
+    """[N] On the handle of what pushes the tip by f, shape (3,), by virtual work. Across the
+    shaft no more of it is felt than leaves the handle as stiff as the tip is.
+
+    Args:
+        fulcrum: Trocar and length of the shaft.
+        handle: [m] shape (3,), where it is.
+        f: [N] shape (3,).
+
+    Args:
+        f: [N] shape (n, 3), float64, C order, written to
+    """
+
+class FulcrumDevice(HapticDevice):
+    """Stands between a device that is the handle of an instrument and what wants to know of its
+    tip.
+    """
+    def __init__(self, handle: HapticDevice, fulcrum: Fulcrum) -> None:
+        """Raises ValueError for a trocar that is not finite or a length that is not positive."""
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
 class MailboxDevice(HapticDevice):
     """A hand that another thread tells of as often as it can, and that takes the newest force
     from here; PythonDevice is one with a thread of its own. Outside of real time: what is
@@ -3697,6 +3761,7 @@ class PointerTarget:
         path: PointerPath = ...,
         pressing: bool = ...,
         buttons: int = ...,
+        orientation: ArrayLike = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     time: float
@@ -3714,11 +3779,18 @@ class PointerTarget:
     """A button is down: the hand presses for as long as it was."""
     buttons: int
     """Of the sample, once the tip has been where it began for a moment."""
+    @property
+    def orientation(self) -> NDArray[np.float64]:
+        """[-] Of the sample, at 3 rad/s at most: unit quaternion (x, y, z, w), shape (4,); a
+        view.
+        """
+    @orientation.setter
+    def orientation(self, value: ArrayLike) -> None: ...
     def __copy__(self) -> PointerTarget:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> PointerTarget:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

@@ -8,6 +8,7 @@
 #include "bindings.h"
 #include "border.h"
 #include "interrupt.h"
+#include "palpate/sim/device/fulcrum_device.h"
 #include "palpate/sim/device/mailbox_device.h"
 #include "palpate/sim/device/simulated_devices.h"
 #include "palpate/sim/tick/surface_pointer.h"
@@ -63,6 +64,43 @@ void bind_scripted_device(py::module_& m) {
       .def_readonly("last_command", &ScriptedDevice::last_command, "The force it was last sent.");
 }
 
+void bind_fulcrum_device(py::module_& m) {
+  py::class_<Fulcrum> fulcrum(
+      m, "Fulcrum",
+      "A shaft through a trocar: where its tip is when its handle is held, and the other way "
+      "round.");
+  fulcrum.def(py::init([](const Vec3& trocar, double length) {
+                return Fulcrum{trocar, length};
+              }),
+              "trocar"_a = Vec3::Zero().eval(), "length"_a = 0.0);
+  def_vector(fulcrum, "trocar", &Fulcrum::trocar, "[m] where the shaft passes the abdominal wall.");
+  fulcrum.def_readwrite("length", &Fulcrum::length, "[m] from the tip to the handle, positive.");
+  def_value(fulcrum, &Fulcrum::trocar, &Fulcrum::length);
+  def_repr(fulcrum, {"trocar", "length"});
+  m.def("compute_fulcrum_tip", &compute_fulcrum_tip, "fulcrum"_a, "handle"_a,
+        "[m] The tip of a shaft whose handle is there, shape (3,); never nearer than 5 mm to the "
+        "trocar, on the side away from the handle.\n\nArgs:\n"
+        "    fulcrum: Trocar and length of the shaft.\n"
+        "    handle: [m] shape (3,).");
+  m.def("compute_fulcrum_handle", &compute_fulcrum_handle, "fulcrum"_a, "tip"_a,
+        "[m] The handle of a shaft whose tip is there, shape (3,); likewise.\n\nArgs:\n"
+        "    fulcrum: Trocar and length of the shaft.\n"
+        "    tip: [m] shape (3,).");
+  m.def("carry_force", &carry_force, "fulcrum"_a, "handle"_a, "f"_a,
+        "[N] On the handle of what pushes the tip by f, shape (3,), by virtual work. Across the "
+        "shaft no more of it is felt than leaves the handle as stiff as the tip is.\n\nArgs:\n"
+        "    fulcrum: Trocar and length of the shaft.\n"
+        "    handle: [m] shape (3,), where it is.\n"
+        "    f: [N] shape (3,).");
+  py::class_<FulcrumDevice, HapticDevice>(
+      m, "FulcrumDevice",
+      "Stands between a device that is the handle of an instrument and what wants to know of its "
+      "tip.")
+      .def(py::init<HapticDevice&, const Fulcrum&>(), "handle"_a, "fulcrum"_a,
+           py::keep_alive<1, 2>(),
+           "Raises ValueError for a trocar that is not finite or a length that is not positive.");
+}
+
 void bind_mailbox_device(py::module_& m) {
   py::class_<MailboxDevice, HapticDevice>(
       m, "MailboxDevice",
@@ -89,11 +127,12 @@ void bind_surface_pointer(py::module_& m) {
 
   py::class_<PointerTarget> target(m, "PointerTarget", "What a window wants of the hand.");
   target.def(py::init([](double time, const Vec3& goal, double depth, PointerPath path,
-                         bool pressing, std::uint8_t buttons) {
-               return PointerTarget{time, goal, depth, path, pressing, buttons};
+                         bool pressing, std::uint8_t buttons, const Eigen::Vector4d& xyzw) {
+               return PointerTarget{time, goal, depth, path, pressing, buttons, Quaternion(xyzw)};
              }),
              py::kw_only(), "time"_a = 0.0, "goal"_a = Vec3::Zero().eval(), "depth"_a = 0.0,
-             "path"_a = PointerPath::along, "pressing"_a = false, "buttons"_a = 0);
+             "path"_a = PointerPath::along, "pressing"_a = false, "buttons"_a = 0,
+             "orientation"_a = Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
   target.def_readwrite("time", &PointerTarget::time,
                        "[s] of the event that led to it, by the window's clock.");
   def_vector(target, "goal", &PointerTarget::goal,
@@ -106,9 +145,17 @@ void bind_surface_pointer(py::module_& m) {
                      "A button is down: the hand presses for as long as it was.")
       .def_readwrite("buttons", &PointerTarget::buttons,
                      "Of the sample, once the tip has been where it began for a moment.");
+  target.def_property(
+      "orientation",
+      [](const py::object& self) {
+        return view_one(self.cast<PointerTarget&>().orientation, self);
+      },
+      [](PointerTarget& self, const Eigen::Vector4d& xyzw) { self.orientation = Quaternion(xyzw); },
+      "[-] Of the sample, at 3 rad/s at most: unit quaternion (x, y, z, w), shape (4,); a view.");
   def_value(target, &PointerTarget::time, &PointerTarget::goal, &PointerTarget::depth,
-            &PointerTarget::path, &PointerTarget::pressing, &PointerTarget::buttons);
-  def_repr(target, {"time", "goal", "depth", "path", "pressing", "buttons"});
+            &PointerTarget::path, &PointerTarget::pressing, &PointerTarget::buttons,
+            &PointerTarget::orientation);
+  def_repr(target, {"time", "goal", "depth", "path", "pressing", "buttons", "orientation"});
 
   py::class_<SurfacePointer, HapticDevice>(
       m, "SurfacePointer",
@@ -189,6 +236,7 @@ void bind_devices(py::module_& m) {
           "at most. False if none came.");
   bind_safe_device(m);
   bind_scripted_device(m);
+  bind_fulcrum_device(m);
   bind_mailbox_device(m);
   bind_surface_pointer(m);
   py::class_<PointerDevice, HapticDevice>(

@@ -57,7 +57,7 @@ ROOMS = {
 MOST_FILES = 36
 """in a room: with more it holds two."""
 
-MOST_PUBLIC_HEADERS = 47
+MOST_PUBLIC_HEADERS = 48
 
 POSIX = ("fcntl.h", "poll.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {

@@ -124,6 +124,8 @@ MADE: dict[str, Callable[[], object]] = {
     "ScriptedDevice": device,
     "SurfacePointer": lambda: palpate.SurfacePointer(organ_scene(1)),
     "ReplayDevice": lambda: palpate.ReplayDevice([palpate.HapticSample()]),
+    "Fulcrum": lambda: palpate.Fulcrum((0.0, 0.0, 0.2), 0.3),
+    "FulcrumDevice": lambda: palpate.FulcrumDevice(device(), palpate.Fulcrum((0.0, 0.0, 0.2), 0.3)),
     "SafeDevice": lambda: palpate.SafeDevice(device()),
     "MailboxDevice": lambda: palpate.MailboxDevice("box"),
     "DeviceLoop": lambda: palpate.DeviceLoop(device()),

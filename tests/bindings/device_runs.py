@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import palpate
 from numpy.typing import NDArray
-from palpate.runs.play import find_middle
+from palpate.runs.other_hands import find_centre
 from palpate.runs.press import PressScript, find_top, write_script
 
 DT = 1e-3
@@ -50,7 +50,7 @@ def press_through(
     limits = palpate.SafetyLimits()
     if kind == "plant":
         options = palpate.NativeCoreOptions(link_delay=link_delay)
-        device = palpate.SimulatedArm(hand, find_middle(scene), palpate.Plant(), options)
+        device = palpate.SimulatedArm(hand, find_centre(scene, 0, 0.0), palpate.Plant(), options)
         device.open()
         limits = palpate.find_safety_limits(device.driver().calibration())
     safe = palpate.SafeDevice(device, limits)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 import palpate
-from palpate.runs.play import find_middle
+from palpate.runs.other_hands import find_centre
 
 TICK = 1e-3
 """[s] of the device."""
@@ -52,7 +52,7 @@ class EmulatedPort:
         self._hand = None if frames is None else palpate.ScriptedDevice(frames)
         self._to_arm = palpate.Workspace().center
         if scene is not None:
-            self._to_arm = self._to_arm - find_middle(scene)
+            self._to_arm = self._to_arm - find_centre(scene, 0, 0.0)
         self._clock, self._on_since = 0.0, np.inf
         self._up: deque[tuple[float, bytes]] = deque()
         self._down: deque[tuple[float, bytes]] = deque()

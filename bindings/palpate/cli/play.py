@@ -10,7 +10,7 @@ from pathlib import Path
 import palpate
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
-from palpate.device.names import HANDS, POINTER, find_port, split_hand
+from palpate.device.names import HANDS, PARKED, POINTER, find_port, split_hand
 from palpate.files.file_kind import RECORD
 from palpate.runs.kept_play import open_keeper, play_kept
 from palpate.runs.live import find_longest
@@ -19,6 +19,8 @@ from palpate.runs.run import PUBLISHED, say_link
 from palpate.system.display import require_display
 
 EXTRA = 'pip install "palpate[player]"'
+LONGEST_SHAFT = 2.0
+"""[m] from tip to handle."""
 MUCH = 0.01
 """[-] by which what was felt and what was computed have to differ before both are told."""
 
@@ -27,10 +29,20 @@ def add_play(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, help=f"published scenario, {PUBLISHED}, or a folder")
     parser.add_argument(
         "--device",
-        default=POINTER,
+        action="append",
         metavar="DEVICE",
         help=f"{HANDS}: the mouse, a script such as `palpate press --script` writes, either hand "
-        "on the simulated arm with the real firmware, or a real device",
+        "on the simulated arm with the real firmware, or a real device. Once for each instrument, "
+        "in their order; those without are the mouse as well (Tab changes hands), or, where the "
+        f"first is no mouse, {PARKED}",
+    )
+    parser.add_argument(
+        "--fulcrum",
+        type=quantity("m"),
+        default=0.0,
+        metavar="LENGTH",
+        help="from tip to handle: the arm is the handle of the instrument, which turns about its "
+        "trocar, and not its tip",
     )
     parser.add_argument(
         "--headless", action="store_true", help="no window; needs a script or a real device"
@@ -69,7 +81,7 @@ def add_play(parser: argparse.ArgumentParser) -> None:
 def run_play(call: argparse.Namespace) -> Report:
     if call.duration is not None and not call.duration > 0.0:
         raise WrongCall(f"--duration: got {call.duration:g} s, expected more than 0")
-    arm, script = split_hand(call.device)
+    arm, script = split_hand((call.device or [POINTER])[0])
     if call.headless and not script and not find_port(arm):
         raise WrongCall(
             "--device: got the mouse, expected script:FILE or serial:PORT beside --headless"
@@ -78,7 +90,17 @@ def run_play(call: argparse.Namespace) -> Report:
         raise WrongCall(f"--seed: got {call.seed}, expected 0 or more")
     if call.file.is_dir():
         return show_folder(call)
-    play = open_play(call.file, call.device, call.record, call.duration, call.level, call.seed)
+    if not 0.0 <= call.fulcrum <= LONGEST_SHAFT:
+        raise WrongCall(f"--fulcrum: got {call.fulcrum:g} m, expected 0 to {LONGEST_SHAFT:g}")
+    play = open_play(
+        call.file,
+        call.device or [],
+        call.record,
+        call.duration,
+        call.level,
+        call.seed,
+        call.fulcrum,
+    )
     play.language = call.language or ""
     if (call.person or call.guest) and call.record is not None:
         raise WrongCall("--record: a kept attempt has its trace beside the database")

@@ -6,6 +6,7 @@ from __future__ import annotations
 from palpate.command.verb import WrongCall
 
 POINTER = "pointer"
+PARKED = "parked"
 PLANT = "plant"
 NATIVE = "native"
 SERIAL = "serial:"

@@ -32,7 +32,7 @@ from palpate.runs.live import Frame, LiveRun
 from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
-from palpate.viewport import PointerHand, make_view, see_instruments
+from palpate.viewport import PointerHands, make_view, see_instruments
 from palpate.viewport.application import use_language
 from palpate.viewport.screen import fit_to_screen
 
@@ -68,7 +68,7 @@ class TraineeWindow(QWidget):
         play.language = play.language or language
         self.phase = Phase.ready
         self.run: LiveRun | None = None
-        self.hand: PointerHand | None = None
+        self.hand: PointerHands | None = None
         self.theme, self.language = theme, language
         self._time = self._force = 0.0
         self._second, self._missed, self._damped = 0, 0, 0
@@ -124,8 +124,8 @@ class TraineeWindow(QWidget):
             return
         hand = self.play.build_hand()
         try:
-            device = self.play.build_device(hand)
-            self.run = self.play.begin(device, self.attendance.begin())
+            device, others = self.play.build_device(hand), self.play.build_others()
+            self.run = self.play.begin(device, self.attendance.begin(), others)
         except OSError as problem:
             self.attendance.give_up()
             self._refuse(problem)
@@ -142,10 +142,15 @@ class TraineeWindow(QWidget):
         self.view.show_force(None)
         self.view.show_instruments(())
         self.view.hud.show_rows(())
-        if isinstance(hand, palpate.SurfacePointer):
+        pointers = [
+            (number, each)
+            for number, each in enumerate([hand, *others])
+            if isinstance(each, palpate.SurfacePointer)
+        ]
+        if pointers:
             if self.hand is not None:
                 self.hand.deleteLater()
-            self.hand = self.view.tool = PointerHand(self.view, hand, self.scene)
+            self.hand = self.view.tool = PointerHands(self.view, pointers, self.scene)
         self.phase = Phase.running
         self.show_board(None)
         self.run.start()

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import json
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 import palpate
 from palpate.assessment.hands import HANDS
@@ -23,12 +23,13 @@ from palpate.device.names import PLANT, POINTER, find_port, split_hand
 from palpate.files.refusal import Refusal
 from palpate.runs.felt import read_column, read_touched
 from palpate.runs.live import LiveRun
+from palpate.runs.other_hands import build_other, find_centre, find_fulcrum, name_hands
 from palpate.runs.run import (
     PUBLISHED,
     describe_build,
     describe_costs,
     is_published,
-    require_one_instrument,
+    join_names,
     require_recordable,
     run_device,
 )
@@ -73,6 +74,11 @@ class Play:
     """How far the task of the run that goes on is."""
     hand: str = ""
     """Which simulated hand plays; none of them where this is empty."""
+    others: list[str] = field(default_factory=list)
+    """Whose hand each of the instruments after the first is."""
+    fulcrum: float = 0.0
+    """[m] from tip to handle, where the stylus of the arm is the handle of an instrument through a
+    trocar; 0: it is the tip."""
     samples: list[palpate.HapticSample] = field(default_factory=list)
     """Of that hand, once it has played."""
 
@@ -97,18 +103,38 @@ class Play:
         return palpate.SurfacePointer(scene or self.scenario.scene)
 
     def build_device(self, hand: palpate.HapticDevice | None = None) -> palpate.HapticDevice:
-        """The device of one run, held by `hand` (of build_hand). Raises DeviceError."""
+        """The device of one run, held by `hand` (of build_hand). Raises DeviceError, WrongCall."""
         hand = hand or self.build_hand()
+        scene = self.scenario.scene
+        fulcrum = find_fulcrum(scene, 0, self.fulcrum)
+        if not self.arm:
+            assert hand is not None
+            return hand
+        centre = find_centre(scene, 0, self.fulcrum)
         if self.arm == PLANT:
             assert hand is not None
-            arm = palpate.SimulatedArm(hand, find_middle(self.scenario.scene))
+            if fulcrum is not None:  # a hand knows where the tip shall be
+                hand = palpate.FulcrumDevice(hand, fulcrum)
+            arm = palpate.SimulatedArm(hand, centre)
             arm.open()
             return arm
-        if hand is not None:
-            return hand
-        link = build_link(self.arm, find_middle(self.scenario.scene))
+        link = build_link(self.arm, centre)
         link.open()
         return link.driver
+
+    def build_others(self) -> list[palpate.HapticDevice]:
+        """The devices of the instruments after the first. Raises as build_other does."""
+        scene = self.scenario.scene
+        return [build_other(name, scene, i) for i, name in enumerate(self.others, start=1)]
+
+    def join_devices(
+        self, device: palpate.HapticDevice, others: Sequence[palpate.HapticDevice]
+    ) -> palpate.HapticDevice | list[palpate.HapticDevice]:
+        """What the loop takes: a device, or one for each instrument; a handle says where its tip
+        is."""
+        fulcrum = find_fulcrum(self.scenario.scene, 0, self.fulcrum) if self.arm else None
+        first = device if fulcrum is None else palpate.FulcrumDevice(device, fulcrum)
+        return [first, *others] if others else first
 
     def find_safety(self, device: palpate.HapticDevice) -> palpate.SafetyLimits:
         """What a device may be sent: a real arm, or a simulated one, by its calibration."""
@@ -119,21 +145,31 @@ class Play:
             else palpate.find_safety_limits(driver.calibration())
         )
 
-    def begin(self, device: palpate.HapticDevice, trace: Path | None = None) -> LiveRun:
+    def begin(
+        self,
+        device: palpate.HapticDevice,
+        trace: Path | None = None,
+        others: Sequence[palpate.HapticDevice] = (),
+    ) -> LiveRun:
         """A run that has not started yet, and the file its record will be: `trace`, where it is
-        kept.
+        kept. `others` are those of build_others.
 
         Raises OSError where no record can be written.
         """
         path = self.name_record() if trace is None else trace
-        header = describe_build(self.scenario.scene, self.path, path, device.name(), self.drawn)
+        names = join_names([each.name() for each in (device, *others)])
+        header = describe_build(self.scenario.scene, self.path, path, names, self.drawn)
         safety = self.find_safety(device)
         options = palpate.LoopOptions(
-            duration=self.duration, safety=safety, on_fault=palpate.FaultResponse.pause
+            duration=self.duration,
+            safety=safety,
+            on_fault=palpate.FaultResponse.pause,
+            device_safety=[safety, *map(self.find_safety, others)] if others else [],
         )
         task = None if self.drawn is None else self.drawn.task
+        driven = self.join_devices(device, others)
         run = LiveRun(
-            self.scenario.scene, device, record=path, header=header, options=options, task=task
+            self.scenario.scene, driven, record=path, header=header, options=options, task=task
         )
         self.records.append(path)
         self.limit = safety.force_max
@@ -208,12 +244,6 @@ def describe_device(device: palpate.HapticDevice) -> str | None:
     return palpate.describe_status(driver.status())
 
 
-def find_middle(scene: palpate.Scene) -> NDArray[np.float64]:
-    """[m] (3,) of all tissue: there lies the middle of the arm's workspace."""
-    x = np.concatenate([np.asarray(body.tissue.rest_position) for body in scene.bodies])
-    return 0.5 * (x.min(axis=0) + x.max(axis=0))
-
-
 def find_free(path: Path) -> Path:
     """The path, or one with a number behind its name where there is such a file already."""
     free, number = path, 2
@@ -224,18 +254,21 @@ def find_free(path: Path) -> Path:
 
 def open_play(
     path: Path,
-    device: str = POINTER,
+    device: str | Sequence[str] = POINTER,
     record: Path | None = None,
     duration: float | None = None,
     level: str = "",
     seed: int = 0,
+    fulcrum: float = 0.0,
 ) -> Play:
-    """What `palpate play` was asked to play. Raises FileError, Refusal, WrongCall or OSError."""
+    """What `palpate play` was asked to play. `device` is that of the first instrument, or of each
+    of several. Raises FileError, Refusal, WrongCall or OSError."""
     if not is_published(path):
         raise Refusal(
             path, "", f"a name ending in {path.suffix!r}", f"a published file, {PUBLISHED}"
         )
-    arm, script = split_hand(device)
+    asked = [device] if isinstance(device, str) else list(device)
+    arm, script = split_hand((asked or [POINTER])[0])
     hand = script if script in HANDS and not Path(script).exists() else ""
     frames = read_script_file(Path(script)) if script and not hand else None
     if duration is None:
@@ -243,7 +276,10 @@ def open_play(
     if record is not None and record.exists() and record.samefile(path):
         raise WrongCall("--record: is the scenario itself")
     scenario = palpate.scenario.read(path)
-    require_one_instrument(path, scenario.scene)
+    names = name_hands(asked, len(scenario.scene.instruments))
+    if fulcrum > 0.0 and not arm:
+        raise WrongCall("--fulcrum: got no arm, expected --device plant or serial:PATH beside it")
+    find_fulcrum(scenario.scene, 0, fulcrum)
     require_recordable(scenario.scene, duration)
     drawn = draw_attempt(path, scenario, level, seed)
     if hand and drawn is None:
@@ -252,7 +288,18 @@ def open_play(
         scenario = take_attempt(scenario, drawn)
     except ValueError as problem:
         raise Refusal(path, "assessment", str(problem), "an inclusion that can be built") from None
-    return Play(path, scenario, frames, arm, duration, record, drawn=drawn, hand=hand)
+    return Play(
+        path,
+        scenario,
+        frames,
+        arm,
+        duration,
+        record,
+        drawn=drawn,
+        hand=hand,
+        others=names[1:],
+        fulcrum=fulcrum,
+    )
 
 
 def draw_attempt(
@@ -282,8 +329,9 @@ def play_headless(play: Play) -> Report:
     path = play.name_record()
     device = play.build_device()
     safety = play.find_safety(device)
+    driven = play.join_devices(device, play.build_others())
     costs = run_device(
-        play.scenario.scene, device, play.duration, path, play.path, safety, play.drawn
+        play.scenario.scene, driven, play.duration, path, play.path, safety, play.drawn
     )
     state = describe_device(device)
     outcome = describe_outcome(costs)

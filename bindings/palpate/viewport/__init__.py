@@ -11,6 +11,7 @@ from palpate.viewport.instruments import SeenInstrument, see_instruments
 from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.make_view import View, make_view
 from palpate.viewport.pointer_hand import Grip, PointerHand
+from palpate.viewport.pointer_hands import PointerHands
 from palpate.viewport.view_base import ViewBase
 from palpate.viewport.view_tool import ViewTool
 
@@ -21,6 +22,7 @@ __all__ = [
     "Hud",
     "LegendBar",
     "PointerHand",
+    "PointerHands",
     "SeenInstrument",
     "View",
     "ViewBase",

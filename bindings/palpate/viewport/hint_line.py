@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent
@@ -19,18 +21,67 @@ Pairs = list[tuple[str, str]]
 translate = QCoreApplication.translate
 
 
-def say_hovering() -> Pairs:
+@dataclass(frozen=True)
+class Means:
+    """What a mouse can do with an instrument, beside pressing and taking hold."""
+
+    turns: bool = False
+    """About its shaft."""
+    leans: bool = False
+    """To and from the viewer: no trocar holds its shaft."""
+    jaws: bool = False
+    next_hand: int = 0
+    """The number of the instrument that Tab changes to; 0 for the only one."""
+
+
+PLAIN = Means()
+"""A ball's."""
+
+
+def say_hovering(means: Means = PLAIN) -> Pairs:
     """Buttons and what they do, while the tip is over the organ."""
+    closes = translate("Viewport", "close the jaws and pull")
+    takes = translate("Viewport", "take hold and pull")
     return [
         (translate("Viewport", "Left button"), translate("Viewport", "press and stroke")),
-        (translate("Viewport", "Right button"), translate("Viewport", "take hold and pull")),
+        (translate("Viewport", "Right button"), closes if means.jaws else takes),
         (translate("Viewport", "Wheel"), translate("Viewport", "deeper or higher")),
+        *say_jaws(means),
+        *say_turns(means),
+        *say_hands(means),
         (translate("Viewport", "Beside the organ"), translate("Viewport", "turn the view")),
     ]
 
 
-def say_pressing() -> Pairs:
+def say_jaws(means: Means) -> Pairs:
+    """How jaws are closed and stay so."""
+    if not means.jaws:
+        return []
+    return [("A", translate("Viewport", "close the jaws, or open them"))]
+
+
+def say_turns(means: Means) -> Pairs:
+    """How a shaft is turned."""
+    pairs = []
+    if means.turns:
+        turns = translate("Viewport", "turn the instrument")
+        pairs.append((translate("Viewport", "Shift + wheel"), turns))
+    if means.leans:
+        pairs.append((translate("Viewport", "Alt + wheel"), translate("Viewport", "lean it")))
+    return pairs
+
+
+def say_hands(means: Means) -> Pairs:
+    """How the other instrument is reached."""
+    if not means.next_hand:
+        return []
+    other = translate("Viewport", "instrument %1").replace("%1", str(means.next_hand))
+    return [(translate("Viewport", "Tab"), other)]
+
+
+def say_pressing(means: Means = PLAIN) -> Pairs:
     """The same while the left button is down."""
+    del means
     return [
         (translate("Viewport", "Move"), translate("Viewport", "stroke at this depth")),
         (translate("Viewport", "Wheel"), translate("Viewport", "deeper or higher")),
@@ -38,17 +89,27 @@ def say_pressing() -> Pairs:
     ]
 
 
-def say_holding() -> Pairs:
+def say_holding(means: Means = PLAIN) -> Pairs:
     """The same while tissue is held."""
+    opens = translate("Viewport", "open the jaws")
     return [
         (translate("Viewport", "Move"), translate("Viewport", "pull sideways")),
         (translate("Viewport", "Wheel"), translate("Viewport", "pull nearer or push away")),
-        (translate("Viewport", "Let go"), translate("Viewport", "release the tissue")),
+        *say_turns(means),
+        *say_hands(means),
+        (
+            translate("Viewport", "Let go"),
+            opens if means.jaws else translate("Viewport", "release the tissue"),
+        ),
     ]
 
 
+MOST_LINES = 2
+
+
 class HintLine(QWidget):
-    """What buttons and wheel do; hidden where there is nothing to say, or no room for it."""
+    """What buttons and wheel do; hidden where there is nothing to say, or no room for it in two
+    lines."""
 
     def __init__(self, parent: QWidget):
         super().__init__(parent)
@@ -60,6 +121,7 @@ class HintLine(QWidget):
         self._names.setWeight(QFont.Weight.DemiBold)
         self.pairs: Pairs = []
         """What is said now, in the language of the program."""
+        self._lines: list[Pairs] = []
         self._room = QPointF(0.0, 0.0), 0.0
         self.hide()
 
@@ -72,6 +134,7 @@ class HintLine(QWidget):
     def place(self, middle: float, bottom: float, room: float) -> None:
         """Its foot at (middle, bottom) [px]; not shown where it is wider than the room [px]."""
         self._room = QPointF(middle, bottom), room
+        self._lines = self._break(room)
         size = self.sizeHint()
         self.setGeometry(
             round(middle - size.width() / 2),
@@ -79,20 +142,38 @@ class HintLine(QWidget):
             size.width(),
             size.height(),
         )
-        self.setVisible(bool(self.pairs) and size.width() <= room)
+        fits = size.width() <= room and len(self._lines) <= MOST_LINES
+        self.setVisible(bool(self.pairs) and fits)
 
     def use_theme(self, theme: Theme) -> None:
         self.theme = theme
         self.update()
 
     def sizeHint(self) -> QSize:
+        wide = max((self._measure(line) for line in self._lines), default=0.0) + 2 * PAD_X
+        high = QFontMetricsF(self._names).height() * max(1, len(self._lines))
+        return QSize(round(wide) + 1, round(high + 2 * PAD_Y))
+
+    def _measure(self, pairs: Pairs) -> float:
+        """[px]"""
         names, words = QFontMetricsF(self._names), QFontMetricsF(self.font())
         wide = sum(
             names.horizontalAdvance(name) + SPACE + words.horizontalAdvance(meaning)
-            for name, meaning in self.pairs
+            for name, meaning in pairs
         )
-        wide += GAP * max(0, len(self.pairs) - 1) + 2 * PAD_X
-        return QSize(round(wide) + 1, round(names.height() + 2 * PAD_Y))
+        return wide + GAP * max(0, len(pairs) - 1)
+
+    def _break(self, room: float) -> list[Pairs]:
+        """Pairs in lines of about the same width, as few as there is room [px] for."""
+        count = max(1, math.ceil((self._measure(self.pairs) + 1) / max(1.0, room - 2 * PAD_X)))
+        least = self._measure(self.pairs) / count
+        lines: list[Pairs] = [[]]
+        for pair in self.pairs:
+            full = lines[-1] and self._measure([*lines[-1], pair]) > room - 2 * PAD_X
+            if full or (len(lines) < count and self._measure(lines[-1]) >= least):
+                lines.append([])
+            lines[-1].append(pair)
+        return lines
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.LanguageChange:
@@ -109,9 +190,16 @@ class HintLine(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor.fromRgbF(*self.theme.panel, 0.62))
-        painter.drawRoundedRect(self.rect(), self.height() / 2, self.height() / 2)
-        x, y = float(PAD_X), PAD_Y + QFontMetricsF(self._names).ascent()
-        for name, meaning in self.pairs:
+        letters = QFontMetricsF(self._names)
+        round_ = letters.height() / 2 + PAD_Y
+        painter.drawRoundedRect(self.rect(), round_, round_)
+        for number, line in enumerate(self._lines):
+            x = (self.width() - self._measure(line)) / 2
+            self._paint_line(painter, line, x, PAD_Y + letters.ascent() + number * letters.height())
+        painter.end()
+
+    def _paint_line(self, painter: QPainter, line: Pairs, x: float, y: float) -> None:
+        for name, meaning in line:
             for font, colour, text, gap in (
                 (self._names, self.theme.text, name, SPACE),
                 (self.font(), self.theme.faint, meaning, GAP),
@@ -120,7 +208,6 @@ class HintLine(QWidget):
                 painter.setPen(QColor.fromRgbF(*colour))
                 painter.drawText(QPointF(x, y), text)
                 x += QFontMetricsF(font).horizontalAdvance(text) + gap
-        painter.end()
 
     def _renew(self) -> None:
         self.pairs = [] if self._words is None else self._words()

@@ -4,15 +4,17 @@
 from __future__ import annotations
 
 import enum
+import math
+from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from PySide6.QtCore import QObject, QPointF, Qt
 from PySide6.QtGui import QInputEvent, QKeyEvent, QMouseEvent, QWheelEvent
 
 import palpate
 from palpate.runs.press import find_top
-from palpate.viewport.hint_line import say_holding, say_hovering, say_pressing
+from palpate.viewport.hint_line import Means, say_holding, say_hovering, say_pressing
 from palpate.viewport.navigation import meet_plane
 from palpate.viewport.view_base import ViewBase
 
@@ -31,6 +33,12 @@ class Grip(enum.Enum):
 
 
 HINTS = {Grip.hovering: say_hovering, Grip.pressing: say_pressing, Grip.holding: say_holding}
+TURN, LEAN = math.radians(10.0), math.radians(5.0)
+"""[rad] for each notch of the wheel."""
+SWAYED = math.radians(75.0)
+"""[rad] that a shaft leans from the vertical at most."""
+APART = 0.5
+"""[-] of the organ's half diagonal between where two instruments begin."""
 
 
 class PointerHand(QObject):
@@ -45,29 +53,49 @@ class PointerHand(QObject):
     - right button or Ctrl + left: touches, takes hold of the tissue and pulls it along in the plane
       through the touched point that is parallel to the screen; the wheel pulls it nearer or pushes
       it away; letting go of the button lets go;
-    - A: takes hold where the tip is, and lets go.
+    - A: takes hold where the tip is, and lets go;
+    - of an instrument with a shaft Shift + wheel turns it about itself and, where no trocar does,
+      Alt + wheel leans it to or from the viewer. Its jaws close where a ball takes hold.
 
     Beside the organ everything turns the camera, as does the middle button; Ctrl + wheel zooms. Of
     several bodies the organ is the first; what else the tip meets on its way it touches too.
     """
 
-    def __init__(self, view: ViewBase, device: palpate.SurfacePointer, scene: palpate.Scene):
+    def __init__(
+        self,
+        view: ViewBase,
+        device: palpate.SurfacePointer,
+        scene: palpate.Scene,
+        instrument: int = 0,
+        next_hand: int = 0,
+    ):
+        """`next_hand` is the number of the instrument that Tab changes to, 0 for none."""
         super().__init__(view)  # type: ignore[arg-type]  # the mixin of a QWidget
         self._view, self._device = view, device
+        its = scene.instruments[instrument]
+        self.means = find_means(its, next_hand)
+        self._hints = {grip: partial(say, self.means) for grip, say in HINTS.items()}
+        self._roll, self._lean = 0.0, np.array([0.0, 0.0, 0.0, 1.0])
+        self._offset = np.zeros(3)
+        """[m] from where the pointer means to where what is held is."""
         body = scene.bodies[0]
         self._x = palpate.compute_surface(body.tissue, body.tissue.rest_position)
         self._triangles = np.array(body.tissue.triangles)
         self._tree = palpate.AabbTree(self._x, self._triangles)
-        self._radius = scene.instruments[0].tool.radius
+        self._radius = its.tool.radius
         reach = palpate.compute_diagonal(self._x) / 2
         self.press_depth = min(max(0.08 * reach, SMALLEST_PRESS), LARGEST_PRESS)
         """[m] how deep the left button presses."""
         self._clearance, self._notch = 0.04 * reach, 0.01 * reach
         self._deepest, self._highest = 0.8 * reach, 0.8 * reach
         self._normals = np.asarray(palpate.compute_vertex_normals(self._x, self._triangles))
-        top = find_top(scene)
-        self._goal = self._grabbed = np.array(top.point)
-        self._outward = np.array(top.outward)
+        if instrument == 0:
+            top = find_top(scene)
+            point, self._outward = np.array(top.point), np.array(top.outward)
+        else:
+            start = find_start(self._x, self._normals, instrument, APART * reach)
+            point, self._outward = self._x[start], self._normals[start]
+        self._goal = self._grabbed = point
         self._path = palpate.PointerPath.along
         self.grip = Grip.hovering
         self._depth = self._hover_depth = -self._clearance
@@ -104,7 +132,7 @@ class PointerHand(QObject):
 
     def move(self, view: ViewBase, event: QMouseEvent) -> bool:
         if self.grip is Grip.holding:
-            self._go_freely(self._meet(view, event.position(), self._goal))
+            self._go_freely(self._meet(view, event.position(), self._goal) + self._offset)
         elif self.grip is Grip.pressing:
             self._slide(view, event.position())
         elif event.buttons() != Qt.MouseButton.NoButton:
@@ -130,9 +158,19 @@ class PointerHand(QObject):
         return True
 
     def wheel(self, view: ViewBase, event: QWheelEvent) -> bool:
-        if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+        keys = event.modifiers()
+        if keys & Qt.KeyboardModifier.ControlModifier:
             return False
-        notches = event.angleDelta().y() / 120
+        # Qt turns the wheel aside while Alt is down
+        notches = (event.angleDelta().y() or event.angleDelta().x()) / 120
+        if self.means.turns and keys & Qt.KeyboardModifier.ShiftModifier:
+            self._roll += TURN * notches
+            self._post(event)
+            return True
+        if self.means.leans and keys & Qt.KeyboardModifier.AltModifier:
+            self._sway(LEAN * notches, view.camera.basis()[0])
+            self._post(event)
+            return True
         if self.grip is Grip.holding:
             # away from the viewer or nearer: what is held need not move along its normal
             self._go_freely(self._goal + view.camera.basis()[2] * (self._notch * notches))
@@ -159,7 +197,23 @@ class PointerHand(QObject):
             self._take(Grip.holding, max(self._depth, SMALLEST_PRESS), event)
         return True
 
+    # ------------------------------------------------------------ among several
+
+    def take_over(self, at: QPointF) -> None:
+        """The pointer is this hand's from now on; what it holds stays where it is."""
+        self._offset = np.zeros(3)
+        if self.grip is Grip.holding:
+            self._offset = self._goal - self._meet(self._view, at, self._goal)
+        self._view.hint.say(self._hints[self.grip])
+
     # ------------------------------------------------------------ inside
+
+    def _sway(self, angle: float, axis: Array) -> None:
+        """Leans the shaft about an axis of the world, not farther than SWAYED."""
+        lean = multiply(turn_about(axis, angle), self._lean)
+        upright = 1.0 - 2.0 * float(lean[0] ** 2 + lean[1] ** 2)
+        if upright >= math.cos(SWAYED):
+            self._lean = lean / np.linalg.norm(lean)
 
     def _find(self, view: ViewBase, at: QPointF) -> palpate.SurfacePoint | None:
         """Where the pointer's ray meets the surface at rest.
@@ -200,7 +254,7 @@ class PointerHand(QObject):
         if self.grip is Grip.hovering:
             self._hover_depth = self._depth
         self._path = palpate.PointerPath.along
-        self._grabbed, self.grip = self._goal, grip
+        self._grabbed, self.grip, self._offset = self._goal, grip, np.zeros(3)
         self._set_depth(depth)
         self._post(event)
 
@@ -226,6 +280,41 @@ class PointerHand(QObject):
                 path=self._path,
                 pressing=self.grip is not Grip.hovering,
                 buttons=palpate.ATTACH_BUTTON if holds else 0,
+                orientation=multiply(self._lean, turn_about((0.0, 0.0, 1.0), self._roll)),
             )
         )
-        self._view.hint.say(HINTS[self.grip])
+        self._view.hint.say(self._hints[self.grip])
+
+
+def find_means(instrument: palpate.Instrument, next_hand: int) -> Means:
+    """What a mouse can do with an instrument."""
+    shaft = bool(instrument.tool.capsules)
+    return Means(
+        turns=shaft,
+        leans=shaft and instrument.trocar is None,
+        jaws=getattr(instrument.tool, "jaws", None) is not None,
+        next_hand=next_hand,
+    )
+
+
+def find_start(x: Array, normals: Array, number: int, apart: float) -> int:
+    """The highest vertex that is so far [m] from those over which earlier instruments begin."""
+    free = normals[:, 2] > 0.3
+    chosen = int(x[:, 2].argmax())
+    for _ in range(number):
+        free &= np.linalg.norm(x - x[chosen], axis=1) > apart
+        if not free.any():
+            return chosen
+        chosen = int(np.where(free, x[:, 2], -np.inf).argmax())
+    return chosen
+
+
+def turn_about(axis: ArrayLike, angle: float) -> Array:
+    """The unit quaternion (x, y, z, w) of an angle [rad] about a unit axis."""
+    return np.array([*(math.sin(angle / 2) * np.asarray(axis)), math.cos(angle / 2)])
+
+
+def multiply(a: Array, b: Array) -> Array:
+    """The turn b and then a, as quaternions (x, y, z, w)."""
+    v = a[3] * b[:3] + b[3] * a[:3] + np.cross(a[:3], b[:3])
+    return np.array([*v, a[3] * b[3] - a[:3] @ b[:3]])

@@ -65,6 +65,12 @@ class ViewEvents:
             self.tool.leave(self)
         super().leaveEvent(event)  # type: ignore[misc]
 
+    def focusNextPrevChild(self, next: bool) -> bool:
+        """Tab is a key of a tool that says so, and else goes to the next widget."""
+        if getattr(self.tool, "takes_tab", False):
+            return False
+        return bool(super().focusNextPrevChild(next))  # type: ignore[misc]
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self.tool is None or not self.tool.key(self, event):
             super().keyPressEvent(event)  # type: ignore[misc]

@@ -16,6 +16,7 @@ constexpr double kWalkSpeed = 0.25;    // [m/s] faster, and the hand would knock
 constexpr double kSinkSpeed = 0.05;    // [m/s] a firm touch
 constexpr double kGlideTime = 15e-3;   // [s] in which corners of the path are rounded off
 constexpr double kFastestGlide = 1.0;  // [m/s]
+constexpr double kFastestTurn = 3.0;   // [rad/s]
 
 /// [s] Where ticks are missed the hand falls behind and does not hurry: a longer path in one tick
 /// asks for more substeps, and those would cost the next ticks too. Into the tissue it goes so
@@ -59,6 +60,10 @@ void SurfacePointer::post(const PointerTarget& target) {
   if (!std::isfinite(target.time) || !target.goal.allFinite() || !std::isfinite(target.depth)) {
     refuse("pointer: time, goal or depth", "a number that is not finite", "finite ones");
   }
+  if (!(std::abs(target.orientation.norm() - 1.0) < 1e-6)) {
+    refuse("pointer: orientation", write_text("a quaternion of norm ", target.orientation.norm()),
+           "a unit one");
+  }
   const bool turns = posted_.number == 0 || target.pressing != posted_.target.pressing;
   posted_ = {target, posted_.number + 1, posted_.gesture + (turns ? 1 : 0)};
   // where there is no room for it, nobody reads, and the newest is all that will count
@@ -74,6 +79,7 @@ HapticSample SurfacePointer::read(double time) noexcept {
     walk(dt);
     sink(dt);
     hold(dt);
+    turn(dt);
   }
   glide(time, dt);
   return hand_;
@@ -217,6 +223,15 @@ void SurfacePointer::hold(double dt) noexcept {
   const bool there = !coming_ && (hand_.position - goal).norm() < 0.1 * radius_;
   still_ = there ? still_ + dt : 0.0;
   attached_ = still_ >= kStillTime;
+}
+
+void SurfacePointer::turn(double dt) noexcept {
+  const Quaternion& wanted = current_.target.orientation;
+  const Quaternion before = hand_.orientation;
+  const double angle = before.angularDistance(wanted);
+  const double most = kFastestTurn * std::min(dt, kLongestSink);
+  hand_.orientation = wanted;
+  if (angle > most) hand_.orientation = before.slerp(most / angle, wanted).normalized();
 }
 
 /// The corners of the path are rounded off, or the tissue would feel every one of them.

@@ -26,6 +26,7 @@ struct PointerTarget {
   PointerPath path = PointerPath::along;
   bool pressing = false;     ///< a button is down: the hand presses for as long as it was
   std::uint8_t buttons = 0;  ///< of the sample, once the tip has been where it began for a moment
+  Quaternion orientation = Quaternion::Identity();  ///< unit, of the sample, at 3 rad/s at most
 };
 
 /// A hand that a window moves over a surface: post() from the GUI thread, read() from the haptic
@@ -33,9 +34,9 @@ struct PointerTarget {
 /// a picture, makes no difference to what is felt.
 ///
 /// The hand goes over the surface at rest at 250 mm/s at most and into it at 50 mm/s, the middle of
-/// its tip on the smooth normal there. Over the path between two posts it takes the time that lay
-/// between them. A press that was over before the haptic thread heard of it lasts as long as the
-/// window says that it did.
+/// its tip on the smooth normal there, and turns by 3 rad/s at most. Over the path between two
+/// posts it takes the time that lay between them. A press that was over before the haptic thread
+/// heard of it lasts as long as the window says that it did.
 class SurfacePointer : public HapticDevice {
  public:
   /// The surface and the tool are those of a scene, which need not outlive the hand.
@@ -71,6 +72,7 @@ class SurfacePointer : public HapticDevice {
   void sink(double dt) noexcept;
   void hold(double dt) noexcept;
   void glide(double time, double dt) noexcept;
+  void turn(double dt) noexcept;
   Foot find_foot(const Vec3& p) const noexcept;
 
   // constant

@@ -651,6 +651,42 @@
         <translation>geri çekil</translation>
     </message>
     <message>
+        <source>close the jaws and pull</source>
+        <translation>çeneleri kapat ve çek</translation>
+    </message>
+    <message>
+        <source>close the jaws, or open them</source>
+        <translation>çeneleri kapat ya da aç</translation>
+    </message>
+    <message>
+        <source>open the jaws</source>
+        <translation>çeneleri aç</translation>
+    </message>
+    <message>
+        <source>Shift + wheel</source>
+        <translation>Shift + tekerlek</translation>
+    </message>
+    <message>
+        <source>turn the instrument</source>
+        <translation>aleti döndür</translation>
+    </message>
+    <message>
+        <source>Alt + wheel</source>
+        <translation>Alt + tekerlek</translation>
+    </message>
+    <message>
+        <source>lean it</source>
+        <translation>aleti eğ</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Sekme</translation>
+    </message>
+    <message>
+        <source>instrument %1</source>
+        <translation>%1. alet</translation>
+    </message>
+    <message>
         <source>pull sideways</source>
         <translation>yana çek</translation>
     </message>
