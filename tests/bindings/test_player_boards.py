@@ -126,6 +126,7 @@ def test_no_text_of_a_card_is_cut_off(shown, task, language, size):
     shown(window)
     window.resize(*size)
     window.say()
+    window.identification.practising.emit()
     QApplication.processEvents()
     (card,) = window.cards
     cut = [label.text() for label in card.findChildren(QLabel)

@@ -200,7 +200,8 @@ def test_the_line_that_it_is_no_medical_device_is_on_every_screen(
 def test_a_card_leads_to_its_window_and_back_with_the_attempt_on_it(
     qtbot, short_task, database, tmp_path, monkeypatch, checkout
 ):
-    from palpate.player.scenario_cards import ScenariosWindow, find_picture
+    from palpate.player.card_pictures import find_picture
+    from palpate.player.scenario_cards import ScenariosWindow
 
     folder = tmp_path / "folder"
     folder.mkdir()
@@ -217,12 +218,17 @@ def test_a_card_leads_to_its_window_and_back_with_the_attempt_on_it(
     qtbot.waitUntil(lambda: not card.picture.pixmap().isNull(), timeout=PATIENCE)
     assert find_picture(card.path).exists()
 
+    assert window.board() is window.who
+    assert not card.play.isEnabled()  # before it is known who plays
+    click(window.who.new)
+    click(window.consent.agree)
+    assert window.board() is None
     click(card.play)
     trainee = window.window_of_play
     qtbot.addWidget(trainee)
     assert not window.isVisible()
-    click(trainee.over.who.new)
-    click(trainee.over.consent.agree)
+    assert trainee.over.board() is trainee.over.start
+    assert trainee.play.drawn.seed == 0
     trainee.play = Scripted(**vars(trainee.play))
     trainee.attendance.play = trainee.play
     click(trainee.over.start.start)
@@ -237,6 +243,7 @@ def test_a_card_leads_to_its_window_and_back_with_the_attempt_on_it(
     click(card.play)  # who returns: a card, and Start
     qtbot.addWidget(window.window_of_play)
     assert window.window_of_play.over.board() is window.window_of_play.over.start
+    assert window.window_of_play.play.drawn.seed == 1  # practice counts up
     click(window.window_of_play.over.start.start)
     assert window.window_of_play.phase is Phase.running
     window.window_of_play.close()
@@ -430,3 +437,49 @@ def test_an_arm_is_checked_before_it_is_played_and_a_failed_check_leaves_practic
     assert window.phase is Phase.running
     assert list_attempts(Store()) == []
     window.close()
+
+
+def test_who_returns_to_the_cards_needs_two_clicks_and_keys_do_as_well(
+    qtbot, short_task, database, tmp_path, shown
+):
+    from palpate.player.scenario_cards import ScenariosWindow
+    from palpate.records.people import add_person, give_consent
+
+    who = give_consent(Store(), add_person(Store()), "en")
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    (folder / "a.palpate").write_bytes(short_task.read_bytes())
+    window = shown(ScenariosWindow(folder))
+    window.identification.take_code(who.code)  # as `palpate play FOLDER --person CODE`
+    assert window.board() is None and window.see_history.isVisible()
+    window.show_history()
+    assert "No attempts" in window.history.note.text()
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert window.board() is None
+    (card,) = window.cards
+    QTest.keyClick(window, Qt.Key.Key_Return)  # the first card has the keyboard
+    trainee = shown(window.window_of_play)
+    QTest.keyClick(trainee, Qt.Key.Key_Return)
+    assert trainee.phase is Phase.running
+    trainee.close()
+    (row,) = list_attempts(Store())
+    assert row["person"] == who.code
+    click(card.play)
+    again = shown(window.window_of_play)
+    assert again.play.drawn.seed == 1
+    again.close()
+
+
+def test_nobody_is_asked_twice_who_practises_at_the_cards(qtbot, short_task, database, shown):
+    from palpate.player.scenario_cards import ScenariosWindow
+
+    window = shown(ScenariosWindow(short_task.parent))
+    click(window.who.practice)
+    (card,) = window.cards
+    for seed in range(2):
+        click(card.play)
+        trainee = shown(window.window_of_play)
+        assert trainee.over.board() is trainee.over.start
+        assert trainee.play.drawn.seed == seed
+        trainee.close()
+    assert not database.exists()

@@ -123,7 +123,7 @@ def run_play(call: argparse.Namespace) -> Report:
 
 def show_folder(call: argparse.Namespace) -> Report:
     """The cards of a folder's scenarios."""
-    if call.headless or call.person or call.guest or call.record is not None:
+    if call.headless or call.guest or call.record is not None:
         raise WrongCall(f"{call.file} is a folder: its scenarios are chosen in a window")
     if split_hand(call.device)[1]:
         raise WrongCall(f"--device: got a script, and {call.file} is a folder: expected a hand")
@@ -132,7 +132,7 @@ def show_folder(call: argparse.Namespace) -> Report:
     except ImportError as problem:
         raise RuntimeError(f"the window needs PySide6 ({problem}): {EXTRA}") from None
     require_display("--headless plays one of its scenarios")
-    return show_scenarios(call.file, call.language, call.theme, call.device)
+    return show_scenarios(call.file, call.language, call.theme, call.device, call.person or "")
 
 
 def say_endless(scene: palpate.Scene) -> str:

@@ -9,17 +9,14 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from palpate.command.verb import Report, WrongCall
-from palpate.files.refusal import Refusal
 from palpate.player.boards import Board
 from palpate.player.check_run import CheckRun
-from palpate.player.sentences import translate
-from palpate.runs.kept_play import Keeper, open_store
-from palpate.translation.refusals import say_refusal
+from palpate.player.identification import Identification
+from palpate.runs.kept_play import Keeper
 
 if TYPE_CHECKING:
     from palpate.player.host import Host
     from palpate.records.people import Person
-    from palpate.records.store import Store
 
 
 class Admission(QObject):
@@ -36,23 +33,25 @@ class Admission(QObject):
         self.keeper: Keeper | None = None
         self.checked: Report | None = None
         """What the check of this device has found, in this window or one before."""
-        self.person: Person | None = None
-        self._store: Store | None = None
         self._practice: tempfile.TemporaryDirectory[str] | None = None
         self.check = CheckRun(window, self)
         self.check.found.connect(self._take_check)
-        who, consent, board = self.over.who, self.over.consent, self.over.check
-        who.code_entered.connect(self._take_code)
-        who.new_wanted.connect(self._take_new)
-        who.guest_wanted.connect(self._take_guest)
-        who.practice_wanted.connect(self.practise)
+        who, board = self.over.who, self.over.check
+        self.identification = Identification(
+            who, self.over.consent, window.show_board, self._find_language, self
+        )
+        self.identification.identified.connect(self._keep)
+        self.identification.practising.connect(self.practise)
         who.languages.chosen.connect(window.use_language)
-        consent.agreed.connect(self._agree)
-        consent.declined.connect(self.practise)
         board.go.clicked.connect(self.admitted)
         board.again.clicked.connect(self.check.start)
         board.practice.clicked.connect(self.practise)
         self.over.start.check.clicked.connect(self.check.start)
+
+    @property
+    def person(self) -> Person | None:
+        """Who is asked, or was."""
+        return self.identification.person
 
     @property
     def practice_folder(self) -> str | None:
@@ -86,71 +85,21 @@ class Admission(QObject):
         self._go_on()
 
     def practise(self) -> None:
-        self.keeper = self.person = None
+        self.keeper = None
         if self._practice is None:
             self._practice = tempfile.TemporaryDirectory(prefix="palpate-practice-")
         self.admitted.emit()
 
-    # ------------------------------------------------------------ who
-
-    def _open(self) -> Store | None:
-        try:
-            self._store = self._store or open_store()
-        except (OSError, Refusal) as problem:
-            text = translate("Player", "The database cannot be used, so nothing can be kept: %1")
-            self._refuse(text.replace("%1", say_refusal(str(problem))))
-        return self._store
-
-    def _refuse(self, sentence: str) -> None:
-        self.over.who.refuse(sentence)
-        self.over.place()
-
-    def _take_code(self, code: str) -> None:
-        from palpate.records.people import find_person
-
-        store = self._open()
-        if store is None:
-            return
-        self.person = find_person(store, code)
-        if self.person is None:
-            text = translate("Player", "Nobody has the code %1 on this computer.")
-            self._refuse(text.replace("%1", code))
-        elif self.person.practice:
-            self._keep()
-        else:
-            self._ask("")
-
-    def _take_new(self) -> None:
-        self._add(guest=False)
-
-    def _take_guest(self) -> None:
-        self._add(guest=True)
-
-    def _add(self, guest: bool) -> None:
-        from palpate.records.people import add_person
-
-        store = self._open()
-        if store is not None:
-            self.person = add_person(store, guest)
-            self._ask(self.person.code or "")
-
-    def _ask(self, code: str) -> None:
-        self.over.consent.tell(self.window.language, code)
-        self.window.show_board(self.over.consent)
-
-    def _agree(self) -> None:
-        from palpate.records.people import give_consent
-
-        assert self._store is not None and self.person is not None
-        self.person = give_consent(self._store, self.person, self.window.language)
-        self._keep()
+    def _find_language(self) -> str:
+        return self.window.language
 
     def _keep(self) -> None:
-        assert self._store is not None and self.person is not None
+        store, person = self.identification.store, self.identification.person
+        assert store is not None and person is not None
         try:
-            self.keeper = Keeper(self._store, self.person, self.window.play)
+            self.keeper = Keeper(store, person, self.window.play)
         except (OSError, WrongCall) as problem:
-            self._refuse(str(problem))
+            self.identification.refuse(str(problem))
             return
         self._go_on()
 

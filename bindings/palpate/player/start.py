@@ -39,11 +39,17 @@ def play_in_window(
 
 
 def show_scenarios(
-    folder: Path, language: str | None = None, theme: str = "dark", device: str = POINTER
+    folder: Path,
+    language: str | None = None,
+    theme: str = "dark",
+    device: str = POINTER,
+    code: str = "",
 ) -> Report:
-    """The scenarios of a folder, until their window is closed."""
-    app, code = open_application(language)
-    window = ScenariosWindow(folder, theme, code, device)
+    """The scenarios of a folder, until their window is closed; `code` is of a person who plays."""
+    app, spoken = open_application(language)
+    window = ScenariosWindow(folder, theme, spoken, device)
+    if code:
+        window.identification.take_code(code)
     window.show()
     app.exec()
     return {"scenario": str(folder), "title": "", "task": "", "records": [], "record": None}
