@@ -133,6 +133,8 @@ def test_no_text_of_a_card_is_cut_off(shown, task, language, size):
            if label.text() and label.height() < label.heightForWidth(label.width())]  # fmt: skip
     cut += [button.text() for button in window.findChildren(QPushButton)
             if button.isVisible() and button.width() < button.sizeHint().width()]  # fmt: skip
+    said = window.notice.label
+    cut += [said.text()] * (said.width() < said.sizeHint().width())
     cut += [box.currentText() for box in card.findChildren(QComboBox)
             if box.isVisible() and box.width() < box.sizeHint().width()]  # fmt: skip
     keep_picture(window, f"cards_{language}_{size[0]}")

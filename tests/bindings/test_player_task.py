@@ -102,7 +102,7 @@ def test_a_walk_through_all_screens_keeps_the_attempt(
     click(over.start.start)
     assert len(list_attempts(Store())) == 1  # before its first tick has been drawn
     qtbot.waitUntil(lambda: over.force.wrong_above == 0.2, timeout=PATIENCE)
-    qtbot.waitUntil(lambda: over.force.force > 0.1, timeout=PATIENCE)
+    qtbot.waitUntil(lambda: over.force.peak > 0.1, timeout=PATIENCE)
     picture(window, checkout, f"{language}_4_play")
     play_to_the_end(window, qtbot)
 

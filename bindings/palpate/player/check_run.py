@@ -12,6 +12,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 import palpate
+from palpate.command.verb import WrongCall
 from palpate.player.check_sentences import say_stage
 from palpate.player.sentences import translate
 from palpate.render import Appearance
@@ -71,7 +72,7 @@ class CheckRun(QObject):
             hand = play.build_hand(wall)
             self.device = play.build_device(hand)
             self._begin_run(wall)
-        except OSError as problem:
+        except (OSError, WrongCall) as problem:
             text = translate("Player", "The device cannot be checked: %1")
             self.over.alarm.tell(text.replace("%1", say_refusal(str(problem))))
             self._put_back()
@@ -98,7 +99,8 @@ class CheckRun(QObject):
             safety=self.window.play.find_safety(self.device), on_fault=palpate.FaultResponse.pause
         )
         record = Path(self._folder.name) / "check.prec"
-        self.run = LiveRun(wall, self.device, record=record, options=options)
+        device = self.window.play.join_devices(self.device, [])
+        self.run = LiveRun(wall, device, record=record, options=options)
 
     def _read_status(self) -> palpate.DeviceStatus:
         assert self.device is not None

@@ -43,7 +43,7 @@ class Ghost(QObject):
     def is_offered(self) -> bool:
         """Not where it would give away what is to be found."""
         drawn = self.window.play.drawn
-        if drawn is None:
+        if drawn is None or len(self.window.scene.instruments) != 1:  # a hand moves one tool
             return False
         return all(step.verb is not palpate.TaskVerb.find for step in drawn.task.steps)
 
