@@ -155,7 +155,7 @@ def time_repairs(repeats: int) -> Iterator[Row]:
         (edits.FillHoles(even=True, bent=True), opened, 1.0),
         (edits.Smooth(10), opened, 1.0),
         (edits.RemoveCrossings(), folded, 10.0),
-        (edits.Wrap(), damaged, 10.0),
+        (edits.Wrap(past_holes=True), damaged, 10.0),
     ]
     for edit, organ, goal in steps:
         try:

@@ -100,6 +100,7 @@ EXAMPLES = [
     (edits.RemoveCrossings(), CROSSED),
     (edits.Smooth(3), SPLEEN),
     (edits.Wrap(), SPLEEN),
+    (edits.Wrap(past_holes=True), SPLEEN),
     (edits.RepairAll(), OPEN),
     (edits.Remesh(0.01), SPLEEN),
     (edits.Decimate(SPLEEN.imported, COARSE, DECIMATION), SPLEEN),

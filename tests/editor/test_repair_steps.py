@@ -35,8 +35,10 @@ from palpate_editor.edits import (
     Wrap,
 )
 from palpate_editor.edits.inspected import mesh_of
+from palpate_editor.edits.wrap import PAST_HOLES, measure_small_holes
 from palpate_editor.guarded import Cancelled, GuardedError, run_guarded, stopping
 from palpate_editor.surface_child.jobs import JOBS
+from palpate_meshes.generate import ellipsoid
 from small_meshes import CORNERS, CUBE, together
 from small_meshes import mesh_of as build
 
@@ -293,6 +295,43 @@ def test_a_wrap_takes_the_place_of_what_was_imported():
     assert inspect_mesh(bare(after)).shells == 1
     with pytest.raises(EditError, match="thousandth of the diagonal"):
         Wrap(1e-6)(organ)
+
+
+BALL = ellipsoid(3000)
+"""[m]"""
+
+
+def make_torn_wall() -> Organ:
+    """A closed wall of two faces, 4 mm apart, with the triangles at one vertex missing."""
+    x, t = 1e3 * BALL[0], BALL[1]
+    inner = x - 4.0 * palpate.compute_vertex_normals(*BALL)
+    torn = t[~(t == x[:, 2].argmax()).any(axis=1)]
+    return organ_of(*join_meshes((x, torn), (inner, t[:, ::-1])))
+
+
+def test_a_small_hole_reaches_as_far_from_its_middle_as_its_furthest_vertex():
+    surface = make_torn_wall().surface
+    (loop,) = palpate.find_border_loops(surface.triangles)
+    rim = surface.vertices[loop]
+
+    reach = measure_small_holes(surface)
+
+    assert reach == pytest.approx(max(np.linalg.norm(p - rim.mean(axis=0)) for p in rim))
+    assert 0.01 < reach / palpate.compute_diagonal(surface.vertices) < 0.025
+    assert measure_small_holes(organ_of(*SPHERE).surface) == 0.0
+
+
+@pytest.mark.landing
+def test_a_ball_that_is_wrapped_around_an_organ_stays_outside_of_its_small_holes():
+    organ = make_torn_wall()
+    radius = measure_small_holes(organ.surface)
+
+    outside = Wrap(past_holes=True).find(organ)
+
+    ball = palpate.compute_volume(build(*BALL))
+    assert outside.volume == pytest.approx(ball, rel=0.03) and len(outside.dropped) == 1
+    again = Wrap(PAST_HOLES * radius).find(organ)
+    assert np.array_equal(again.surface.vertices, outside.surface.vertices)
 
 
 # ---------------------------------------------------------------- remeshing

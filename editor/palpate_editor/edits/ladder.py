@@ -164,7 +164,7 @@ def choose_largest(state: State) -> Edit | None:
 
 def choose_wrapping(state: State) -> Edit | None:
     """Where nothing else has made it a surface that a tissue can be built on."""
-    return Wrap() if state.crosses or not state.is_manifold else None
+    return Wrap(past_holes=True) if state.crosses or not state.is_manifold else None
 
 
 CLEAN_UP = CleanUp()

@@ -3,21 +3,38 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
+import numpy as np
 import palpate
 
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.carry import carry_paint
 from palpate_editor.edits.dropped import Dropped, list_dropped
 from palpate_editor.edits.edit import EditError, find_surface
+from palpate_editor.edits.history import LATER
 from palpate_editor.guarded import GuardedError, run_guarded
 
 FINENESS = 1e-2
 """[-] of the diagonal: the ball that rolls around an organ where nobody says otherwise."""
+SMALL_HOLE, PAST_HOLES = 0.025, 1.05
+"""[-] of the diagonal: holes that reach no further from their middle are no openings of the organ;
+of the largest one's reach: a ball that stays outside of it."""
 SECONDS = 60.0
 """[s] A wrap may take: one that is asked for by hand may be much finer."""
+
+
+def measure_small_holes(surface: Surface) -> float:
+    """[m] How far the largest hole that is small reaches from its middle; 0 where there is none."""
+    most = SMALL_HOLE * float(palpate.compute_diagonal(surface.vertices))
+    radii = [0.0]
+    for loop in palpate.find_border_loops(surface.triangles):
+        x = surface.vertices[loop]
+        radius = float(np.linalg.norm(x - x.mean(axis=0), axis=1).max())
+        if radius <= most:
+            radii.append(radius)
+    return max(radii)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +66,10 @@ class Wrap:
 
     alpha: float | None = None
     """[m] The radius of the ball; None for a hundredth of the organ's diagonal."""
+    past_holes: bool = field(default=False, metadata={LATER: True})
+    """With no radius: one that is larger than the small holes, where that is more. A ball that gets
+    in through a tear of a few triangles wraps the inside as well, ten times as many triangles.
+    Lines of before have nothing of it."""
 
     def __call__(self, organ: Organ) -> Organ:
         return self.put(organ, self.find(organ))
@@ -69,6 +90,8 @@ class Wrap:
         alpha = self.alpha
         if alpha is None:
             alpha = FINENESS * float(palpate.compute_diagonal(surface.vertices))
+            if self.past_holes:
+                alpha = max(alpha, PAST_HOLES * measure_small_holes(surface))
         try:
             found = run_guarded("wrap", surface, {"alpha": alpha}, SECONDS)
         except GuardedError as problem:

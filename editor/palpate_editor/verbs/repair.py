@@ -157,7 +157,7 @@ def list_steps(call: argparse.Namespace, organ: Organ) -> list[tuple[str, Edit]]
     if call.smooth is not None:
         steps.append(("--smooth", Smooth(call.smooth)))
     if call.wrap is not None:
-        steps.append(("--wrap", Wrap(find_number(call.wrap))))
+        steps.append(("--wrap", Wrap(find_number(call.wrap), past_holes=True)))
     return steps
 
 

@@ -40,14 +40,15 @@ def add_step(
 def add_wrap(parser: argparse.ArgumentParser) -> None:
     told = (
         "the last resort: a new surface around all of it, into which a ball of this radius "
-        "rolls; what lies inside goes; default: a hundredth of the diagonal"
+        "rolls; what lies inside goes; default: a hundredth of the diagonal, or more than small "
+        "holes are wide"
     )
     add_step(parser, "--wrap", "M", told, read=quantity("m"))
 
 
 def wrap(organ: Organ, asked: float, file: Path) -> tuple[Organ, Report]:
     """The organ wrapped, and the price of it. Raises Refusal."""
-    edit = Wrap(find_number(asked))
+    edit = Wrap(find_number(asked), past_holes=True)
     try:
         found = edit.find(organ)
     except EditError as refused:

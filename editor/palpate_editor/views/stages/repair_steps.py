@@ -63,7 +63,11 @@ class RepairSteps(QWidget):
         self.ball = QuantityBox("mm", MM, self)
         self.ball.setObjectName("wrap_ball")
         self.add(
-            tr("Wrap, the last resort"), "wrap", lambda: Wrap(self.ball.shown), self.ball, "mm"
+            tr("Wrap, the last resort"),
+            "wrap",
+            lambda: Wrap(self.ball.shown, past_holes=True),
+            self.ball,
+            "mm",
         )
         self.size = 0.0
         self.ball.entered.connect(self.ball.show_value)
