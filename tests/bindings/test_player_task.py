@@ -35,7 +35,9 @@ def short_task(tmp_path_factory) -> Path:
     assessment["steps"] = [step for step in assessment["steps"] if step["id"] in ("touch", "push")]
     assessment["levels"] = ["normal"]
     assessment["parameters"] = {"press": {"unit": "N", "value": 0.3},
-                                "limit": {"unit": "N", "value": 0.2}}  # fmt: skip
+                                "limit": {"unit": "N", "value": 0.2},
+                                "dwell": {"unit": "s", "uniform": [0.1, 0.3]}}  # fmt: skip
+    assessment["steps"][1]["for_s"] = "$dwell"
     organ = scenario.read(MESHES / "published" / "simple_tissue.palpate")
     out = tmp_path_factory.mktemp("task") / "tissue.palpate"
     scenario.write(out, with_assessment(path, assessment, organ))
@@ -121,9 +123,13 @@ def test_a_walk_through_all_screens_keeps_the_attempt(
     assert over.board() is None
     qtbot.waitUntil(lambda: over.board() is over.debrief, timeout=PATIENCE)
 
-    click(over.debrief.restart)
+    dwell = window.play.drawn.task.steps[1].duration
+    click(over.debrief.another)
+    assert window.play.drawn.seed == 1
+    assert window.play.drawn.task.steps[1].duration != dwell
     play_to_the_end(window, qtbot)
     assert over.debrief.history.isVisible()
+    assert [row["seed"] for row in list_attempts(Store())] == [1, 0]
     assert len(list_attempts(Store())) == 2
     heard = window.attendance.signals.heard
     assert any(window.play.say_limits()[0] in caption for caption in heard)

@@ -23,6 +23,7 @@ from palpate.player.sentences import say_no_force, translate
 from palpate.player.signals import Signals
 from palpate.runs.kept_play import Keeper, describe_kept
 from palpate.runs.live import Frame
+from palpate.runs.next_attempt import has_next
 
 
 class Attendance(QObject):
@@ -48,6 +49,7 @@ class Attendance(QObject):
         start.ghost.setVisible(self.ghost.is_offered())
         start.history.clicked.connect(self.show_history)
         debrief.restart.clicked.connect(window.restart)
+        debrief.another.clicked.connect(window.play_another)
         debrief.quit.clicked.connect(window.close)
         debrief.moment_wanted.connect(self.show_moment)
         debrief.see_history.clicked.connect(self.show_history)
@@ -175,6 +177,7 @@ class Attendance(QObject):
                 kept=kept,
             )
         )
+        self.over.debrief.another.setVisible(has_next(self.play))
         self.over.debrief.see_history.setVisible(self.keeper is not None)
         return self.over.debrief
 

@@ -63,6 +63,7 @@ class DebriefBoard(Board):
         self.history_title, self.history = self.add("title"), self.add("body")
         self.kept = self.add("caption")
         self.restart = self.add_button(main=True)
+        self.another = self.add_button()
         self.see_history = self.add_button()
         self.quit = self.add_button()
         self._told: Debriefed | None = None
@@ -81,6 +82,7 @@ class DebriefBoard(Board):
         self.next_title.setText(translate("Player", "To try next"))
         self.history_title.setText(translate("Player", "Attempts before"))
         self.restart.setText(translate("Player", "Again"))
+        self.another.setText(translate("Player", "Another one of this kind"))
         self.see_history.setText(translate("Player", "History"))
         self.quit.setText(translate("Player", "Quit"))
         told = self._told

@@ -70,6 +70,11 @@ class Ghost(QObject):
             self._end()
             self.ended.emit()
 
+    def forget(self) -> None:
+        """Another attempt was drawn."""
+        self.close()
+        self.attempt = None
+
     def close(self) -> None:
         """Without a word: the window goes, or a run begins."""
         if self.busy:

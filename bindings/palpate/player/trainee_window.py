@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 import palpate
 from palpate import translation
 from palpate.command.verb import Report
+from palpate.files.refusal import Refusal
 from palpate.player.attendance import Attendance
 from palpate.player.boards import Board
 from palpate.player.device_watch import DeviceWatch
@@ -29,6 +30,7 @@ from palpate.player.sentences import (
 from palpate.player.style import build_palette, build_style
 from palpate.render.authored_appearance import find_appearance
 from palpate.runs.live import Frame, LiveRun
+from palpate.runs.next_attempt import draw_next
 from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
@@ -164,6 +166,18 @@ class TraineeWindow(QWidget):
             text = translate("Player", "No record can be written, so nothing was started: %1")
         self.over.alarm.tell(text.replace("%1", say_refusal(str(problem))))
         self.over.place()
+
+    def play_another(self) -> None:
+        """The same task, with what the next seed draws."""
+        try:
+            draw_next(self.play)
+        except Refusal as problem:
+            self.over.alarm.tell(say_refusal(str(problem)))
+            self.over.place()
+            return
+        self.scene = self.play.scenario.scene
+        self.attendance.ghost.forget()
+        self.restart()
 
     def pause(self) -> None:
         if self.phase is Phase.running and self.run is not None:

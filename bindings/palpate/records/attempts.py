@@ -230,11 +230,13 @@ def close_one(store: Store, identity: str, trace: Path) -> None:
     except OSError as problem:
         why = f"the program was ended, and its trace cannot be read: {problem}"
     with store.begin() as connection:
-        connection.execute(
+        closed = connection.execute(
             update(attempt)
             .where(attempt.c.id == identity, attempt.c.ended.is_(None))
             .values(ended=now(), outcome=INTERRUPTED, ticks=ticks, counts_for_judging=False,
                     why_not=why, **describe_trace(trace))
         )  # fmt: skip
+        if closed.rowcount == 0:  # another program that began now has closed it meanwhile
+            return
         put_events(connection, identity, events)
         connection.execute(outbox.insert().values(table="attempt", row_id=identity))

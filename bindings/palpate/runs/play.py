@@ -79,6 +79,8 @@ class Play:
     fulcrum: float = 0.0
     """[m] from tip to handle, where the stylus of the arm is the handle of an instrument through a
     trocar; 0: it is the tip."""
+    published: palpate.scenario.Scenario | None = None
+    """As its file has it, before an attempt was drawn."""
     samples: list[palpate.HapticSample] = field(default_factory=list)
     """Of that hand, once it has played."""
 
@@ -275,7 +277,7 @@ def open_play(
         duration = 0.0 if frames is None else frames[-1].time + TAIL
     if record is not None and record.exists() and record.samefile(path):
         raise WrongCall("--record: is the scenario itself")
-    scenario = palpate.scenario.read(path)
+    scenario = published = palpate.scenario.read(path)
     names = name_hands(asked, len(scenario.scene.instruments))
     if fulcrum > 0.0 and not arm:
         raise WrongCall("--fulcrum: got no arm, expected --device plant or serial:PATH beside it")
@@ -298,6 +300,7 @@ def open_play(
         drawn=drawn,
         hand=hand,
         others=names[1:],
+        published=published,
         fulcrum=fulcrum,
     )
 

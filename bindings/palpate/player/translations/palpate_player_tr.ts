@@ -595,6 +595,10 @@
         <source>mouse, no force</source>
         <translation>fare, kuvvet yok</translation>
     </message>
+    <message>
+        <source>Another one of this kind</source>
+        <translation>Bu türden bir başkası</translation>
+    </message>
 </context>
 <context>
     <name>Viewport</name>
