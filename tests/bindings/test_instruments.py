@@ -15,7 +15,7 @@ from palpate.assessment.publish import read_assessment, with_assessment
 from palpate.files.refusal import Refusal
 from palpate.render import build_instrument, build_shade, draw_picture, place_instrument
 from palpate.render.instrument import find_rotation, name_look
-from palpate.render.instrument_shade import find_glow
+from palpate.render.instrument_shade import find_glow, place_axes
 from surfaces import MEMBRANE, ellipsoid
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
@@ -131,6 +131,33 @@ def test_an_instrument_is_drawn_as_what_of_it_touches():
     assert np.abs(tip[:, :2]).max() == pytest.approx(0.005, abs=1e-5)
     # the lens is slanted: its foremost point stands out of the round end that touches
     assert -0.010 < x[:, 2].min() < -0.005
+
+
+def test_a_grasper_is_drawn_as_long_and_as_wide_as_its_jaws():
+    class Jaws:
+        hinge = (0.0, 0.0, 0.0135)
+        axis = (1.0, 0.0, 0.0)
+
+    class Grasper:
+        radius, jaws = 0.0006, Jaws()
+        capsules = [palpate.Capsule(from_=[0, y, 0], to=[0, y, 0.012]) for y in (6e-4, -6e-4)]
+
+    drawn = build_instrument(Grasper())
+    assert drawn is not None and drawn.hinge == 0.0135
+    jaws = [part.shape.vertices for part in drawn.parts if part.turns]
+    assert len(jaws) == 2
+    for x in jaws:
+        assert x[:, 2].min() == pytest.approx(0.0, abs=1e-4)
+        assert np.abs(x[:, 0]).max() == pytest.approx(0.5 * 0.0024, abs=1e-4)
+    shaft = next(part.shape.vertices for part in drawn.parts if not part.turns)
+    assert np.ptp(shaft[:, 2]) == pytest.approx(0.3095 - 0.0008, abs=2e-3)
+
+    placed = place_instrument(drawn, (0, 0, 0), (0, 0, 0, 1), 0.4)
+    tips = [part.shape.vertices[part.shape.vertices[:, 2].argmin(), 1] for part in placed[1:]]
+    from_, _ = place_axes(Grasper(), (0, 0, 0), np.eye(3), 0.4)
+    # drawn jaws open to where those that touch are
+    assert sorted(np.sign(tips)) == sorted(np.sign(from_[:, 1])) == [-1, 1]
+    assert max(np.abs(tips)) == pytest.approx(np.abs(from_[:, 1]).max(), abs=1.5e-3)
 
 
 def test_the_shade_of_an_instrument_is_of_its_tip_and_its_shaft():

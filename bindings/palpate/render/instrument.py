@@ -58,7 +58,8 @@ def name_look(tool: palpate.Tool) -> str:
 
 
 def build_instrument(tool: palpate.Tool) -> DrawnInstrument | None:
-    """As wide as what touches; None for a ball, which has no shaft."""
+    """As wide as what touches; None for a ball, which has no shaft. A grasper is as wide as its
+    jaws and as long as they are."""
     look = name_look(tool)
     if look == "ball":
         return None
@@ -76,18 +77,22 @@ def build_instrument(tool: palpate.Tool) -> DrawnInstrument | None:
 def fit_mesh(mesh: InstrumentMesh, tool: palpate.Tool) -> DrawnInstrument:
     """A shipped mesh whose tip lies where the axis of the first capsule begins."""
     jaws = getattr(tool, "jaws", None)
-    wide = tool.radius / mesh.radius if jaws is None else 1.0
+    wide = tool.radius / (mesh.radius if jaws is None else mesh.jaw_radius)
     start = float(np.asarray(tool.capsules[0].from_)[2])
-    if jaws is not None:  # hinge on hinge
-        start = float(np.asarray(jaws.hinge)[2]) - mesh.hinge + mesh.tip
+    hinge = 0.0 if jaws is None else float(np.asarray(jaws.hinge)[2])
     parts = []
     for part in mesh.parts:
         shape = read_part(part.name)
         x = shape.vertices * np.float32([wide, wide, 1.0])
-        x[:, 2] += np.float32(start - mesh.tip)
+        if jaws is None:
+            x[:, 2] += np.float32(start - mesh.tip)
+        else:  # the jaws are as long as those that touch, and the shaft behind them as it is
+            before = x[:, 2] < mesh.hinge
+            scaled, moved = x[:, 2] * (hinge / mesh.hinge), x[:, 2] + (hinge - mesh.hinge)
+            x[:, 2] = np.where(before, scaled, moved)
         look = DARK_SHAFT if part.dark else METAL
         parts.append(DrawnPart(Shape(x, shape.normals, shape.triangles), look, part.turns))
-    return DrawnInstrument(tuple(parts), start - mesh.tip + mesh.hinge)
+    return DrawnInstrument(tuple(parts), hinge)
 
 
 def build_trocar(trocar: ArrayLike, tip: ArrayLike, radius: float) -> Shape:

@@ -44,6 +44,8 @@ class InstrumentMesh:
     """[m] From the tip of the mesh to the end of the axis of what touches first."""
     hinge: float = 0.0
     """[m] From the tip of the mesh to the axis of its jaws."""
+    jaw_radius: float = 0.0
+    """[m] Of the capsules that stand for its jaws."""
 
 
 MESHES = {
@@ -56,6 +58,7 @@ MESHES = {
         radius=2.5e-3,
         tip=0.8e-3,
         hinge=22.5e-3,
+        jaw_radius=1.2e-3,
     ),
     "laparoscope": InstrumentMesh((MeshPart("laparoscope_shaft"),), radius=5e-3, tip=8.8e-3),
 }
