@@ -25,16 +25,19 @@ void bind_device_dynamics(py::module_& m) {
       "What a device declares of itself, from which follows how stiff what is felt through it may "
       "be.");
   dynamics
-      .def(py::init([](double damping, double delay) {
-             return DeviceDynamics{damping, delay};
+      .def(py::init([](double damping, double delay, bool position_source) {
+             return DeviceDynamics{damping, delay, position_source};
            }),
-           py::kw_only(), "damping"_a = 0.0, "delay"_a = 0.0)
+           py::kw_only(), "damping"_a = 0.0, "delay"_a = 0.0, "position_source"_a = false)
       .def_readwrite("damping", &DeviceDynamics::damping,
                      "[N·s/m] The least that the hand always feels of it; 0: none declared.")
       .def_readwrite("delay", &DeviceDynamics::delay,
-                     "[s] From a hand to the force that answers it, holding not included.");
-  def_value(dynamics, &DeviceDynamics::damping, &DeviceDynamics::delay);
-  def_repr(dynamics, {"damping", "delay"});
+                     "[s] From a hand to the force that answers it, holding not included.")
+      .def_readwrite("position_source", &DeviceDynamics::position_source,
+                     "No force moves its hand: a script, a record, a mouse.");
+  def_value(dynamics, &DeviceDynamics::damping, &DeviceDynamics::delay,
+            &DeviceDynamics::position_source);
+  def_repr(dynamics, {"damping", "delay", "position_source"});
   m.def("find_passive_stiffness", &find_passive_stiffness, "dynamics"_a, "period"_a,
         "[N/m] Up to which a spring that is told every period [s] calms the hand, b / (T/2 + d) "
         "[Colgate97]; 0 where no damping is declared.\n\nArgs:\n"

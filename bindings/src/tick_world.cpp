@@ -20,6 +20,8 @@ void bind_safeguards(py::module_& m) {
       .value("quarter_steps", Safeguard::quarter_steps, "Of a quarter of it.")
       .value("implicit_damping", Safeguard::implicit_damping,
              "Damped by the velocity that a step leads to, as well.")
+      .value("implicit_euler", Safeguard::implicit_euler,
+             "By implicit Euler where that is still too long, as well.")
       .finalize();
 }
 

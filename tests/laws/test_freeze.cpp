@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/session/some_record.h"
-#include "core/tick/press_scene.h"
+#include "core/tick/safeguard_scenes.h"
 #include "palpate/sim/loop/loop.h"
 #include "palpate/sim/session/record.h"
 #include "scenes/tissues.h"
@@ -20,9 +20,11 @@ namespace {
 constexpr double kTick = 1e-3;
 constexpr int kFade = 20;  // [ticks]
 
-/// A tool so hard that a light touch gives the tissue energy.
+/// A tool so hard that a light touch gives the tissue energy, whose memory keeps it from being
+/// stepped implicitly.
 Scene hard_scene() {
   Scene scene = press_scene();
+  scene.bodies[0].tissue.maxwell = {.ratio = 0.5, .time = 0.4};
   scene.instruments[0].tool.stiffness = 3e11;
   return build_scene(std::move(scene));
 }
@@ -126,4 +128,25 @@ TEST_CASE(
     tick(scene, record.hand[static_cast<std::size_t>(t)], 1.0 / scene.rate, world);
   }
   CHECK(world.bodies[0].safeguard == Safeguard::half_steps);
+}
+
+TEST_CASE("a run that implicit Euler holds together is replayed to the bit") {
+  const Folder folder;
+  const Scene scene = make_stiff_link().scene;
+  ScriptedDevice hand = press_script(0.002, 0.5);
+  Recorder recorder(folder.file("solved.prec"), "{}");
+  Loop loop(scene, hand, {.duration = 0.6}, &recorder.log());
+  loop.start();
+  while (!loop.wait(10.0)) {
+  }
+  loop.stop();
+  recorder.finish();
+  REQUIRE_FALSE(loop.report().alarm);
+
+  const Record record = read_record(folder.file("solved.prec"));
+  const auto index = static_cast<int>(Safeguard::implicit_euler);
+  CHECK(std::ranges::any_of(record.events, [&](const Event& e) {
+    return e.kind == EventKind::safeguard && e.index == index;
+  }));
+  CHECK(replay(scene, record).equal);
 }

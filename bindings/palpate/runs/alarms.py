@@ -128,6 +128,9 @@ SAFEGUARDS = {
     Safeguard.implicit_damping: (
         "The tissue was about to blow up, and is damped implicitly for now."
     ),
+    Safeguard.implicit_euler: (
+        "The tissue was about to blow up, and its stiffest parts are solved for implicitly for now."
+    ),
 }
 """What holds a tissue together that would have raised an alarm."""
 

@@ -107,6 +107,7 @@ class FaultyDevice : public HapticDevice {
   void end() noexcept override { device_.end(); }
   void rest(double seconds) noexcept override;
   std::string name() const override { return "faulty " + device_.name(); }
+  DeviceDynamics dynamics() const noexcept override { return device_.dynamics(); }
   bool failed() const noexcept override { return is_unplugged() || device_.failed(); }
   MotorState motors() const noexcept override {
     return is_unplugged() || is_cut() ? MotorState::cut : device_.motors();

@@ -39,8 +39,11 @@ enum class MotorState {
 struct DeviceDynamics {
   double damping = 0.0;  ///< [N·s/m] the least that the hand always feels of it; 0: none declared
   double delay = 0.0;    ///< [s] from a hand to the force that answers it, holding not included
+  /// No force moves its hand: a script, a record, a mouse. What holding a force gives such a hand
+  /// drives nothing.
+  bool position_source = false;
 };
-static_assert(sizeof(DeviceDynamics) == 16 && alignof(DeviceDynamics) == 8);
+static_assert(sizeof(DeviceDynamics) == 24 && alignof(DeviceDynamics) == 8);
 
 /// [N/m] Up to which a spring that is told every `period` [s] calms the hand, b / (T/2 + d)
 /// [Colgate97]; 0 where no damping is declared.

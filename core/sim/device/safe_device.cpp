@@ -53,7 +53,7 @@ bool is_finite(const HapticSample& sample) noexcept {
 }  // namespace
 
 SafeDevice::SafeDevice(HapticDevice& device, const SafetyLimits& limits)
-    : device_(device), limits_(limits) {
+    : device_(device), limits_(limits), dynamics_(device.dynamics()) {
   validate(limits);
   // who sets only the one for short times means no more for long ones
   limits_.force_continuous = std::min(limits.force_continuous, limits.force_max);
@@ -87,8 +87,10 @@ void SafeDevice::follow_hand(double time) noexcept {
   }
   judge(sample);
   if (fault_ != DeviceFault::none) return;
+  last_move_.setZero();
   if (has_sample_) {
-    given_energy_ += sent_.force.dot(sample.position - last_sample_.position);
+    last_move_ = sample.position - last_sample_.position;
+    given_energy_ += sent_.force.dot(last_move_);
     if (sent_.force.isZero(0.0)) given_energy_ = std::max(given_energy_, 0.0);
     given_energy_ -= given_energy_ * std::min(1.0, pause_ / kEnergyTime);
   }
@@ -109,6 +111,18 @@ void SafeDevice::judge(const HapticSample& sample) noexcept {
     fault_ = DeviceFault::sample_too_fast;
     fault_value_ = fastest;
   }
+}
+
+/// While a hand moved by dx the last force was held, which the new one answers. What the hand was
+/// given by that alone, (f_{k-1} - f_k) . dx, which of a spring K is K |dx|^2 however slowly it is
+/// pressed and let go, is taken up by the device as far as b |dx|^2/T [Colgate97], or drives
+/// nothing where no force moves the hand.
+void SafeDevice::credit_holding(const Vec3& force) noexcept {
+  const double held = (sent_.force - force).dot(last_move_);
+  if (!(held > 0.0)) return;
+  const double taken_up =
+      pause_ > 0.0 ? dynamics_.damping * last_move_.squaredNorm() / pause_ : 0.0;
+  given_energy_ -= dynamics_.position_source ? held : std::min(held, taken_up);
 }
 
 /// The ramp begins with the first command that is small, or a hand that is in the tissue when the
@@ -190,10 +204,12 @@ void SafeDevice::write(const HapticCommand& command) noexcept {
   const double most = force_limit();
   const double norm = wanted.stableNorm();
   if (norm > most) wanted *= most / norm;
+  const double fade_in = std::clamp((now_ - first_time_) / limits_.ramp_time, 0.0, 1.0);
+  credit_holding(fade_in * wanted);
   const Vec3 safe = brake(damp(wanted));
   bool limited = norm > most || safe != wanted;
   wanted = safe.norm() > most ? Vec3(safe * (most / safe.norm())) : safe;
-  wanted *= std::clamp((now_ - first_time_) / limits_.ramp_time, 0.0, 1.0);
+  wanted *= fade_in;
 
   const Vec3 slewed = slew(wanted);
   limited = limited || slewed != wanted;

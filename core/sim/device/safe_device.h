@@ -113,7 +113,8 @@ class SafeDevice : public HapticDevice {
   long limited_count() const noexcept { return limited_count_; }
   /// How often the passivity controller had to.
   long damped_count() const noexcept { return damped_count_; }
-  /// [J] that the hand has been given since it last felt nothing, fading within a second.
+  /// [J] that the hand has been given since it last felt nothing, fading within a second. What a
+  /// force that is held gives it is left out as far as the device declares to take it up.
   double given_energy() const noexcept { return given_energy_; }
   /// Of what the motors stand for ever, 0 to 1.
   double heat() const noexcept;
@@ -121,6 +122,7 @@ class SafeDevice : public HapticDevice {
  private:
   void follow_hand(double time) noexcept;
   void judge(const HapticSample& sample) noexcept;
+  void credit_holding(const Vec3& force) noexcept;
   bool may_send(const Vec3& force) noexcept;
   bool may_start(const Vec3& force) noexcept;
   Vec3 damp(const Vec3& force) noexcept;
@@ -130,7 +132,9 @@ class SafeDevice : public HapticDevice {
 
   HapticDevice& device_;
   SafetyLimits limits_;
+  DeviceDynamics dynamics_;
   HapticSample last_sample_;
+  Vec3 last_move_ = Vec3::Zero();  ///< [m] of the hand between the last two reads
   HapticCommand sent_;
   bool has_sample_ = false;
   double now_ = 0.0;         ///< [s] of the last read

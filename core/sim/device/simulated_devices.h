@@ -26,6 +26,7 @@ class ScriptedDevice : public HapticDevice {
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override { last_command = command; }
   std::string name() const override { return "script"; }
+  DeviceDynamics dynamics() const noexcept override { return {.position_source = true}; }
   double duration() const noexcept { return frames_.back().time; }
 
   HapticCommand last_command;
@@ -46,6 +47,7 @@ class PointerDevice : public HapticDevice {
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
   std::string name() const override { return "pointer"; }
+  DeviceDynamics dynamics() const noexcept override { return {.position_source = true}; }
   /// The newest force, for the same thread as set().
   HapticCommand take_command() noexcept;
 
@@ -65,6 +67,7 @@ class ReplayDevice : public HapticDevice {
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override { last_command = command; }
   std::string name() const override { return "replay"; }
+  DeviceDynamics dynamics() const noexcept override { return {.position_source = true}; }
   bool finished() const noexcept { return next_ >= samples_.size(); }
 
   HapticCommand last_command;

@@ -16,6 +16,7 @@
 #include "palpate/sim/tick/private/move_tissue.h"
 #include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/sleep.h"
+#include "palpate/sim/tick/private/step_stiff_part.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -217,6 +218,7 @@ void settle_bodies(const Scene& scene, double dt, World& world) noexcept {
 /// the body that would blow up [motion: ladder]. Returns the substeps of the last try.
 int run_safeguarded(const Scene& scene, double dt, int finest, World& world) noexcept {
   keep_checkpoint(world);
+  choose_stiff_parts(scene, dt, world);
   run_substeps(scene, dt, finest, world);
   end_bodies(scene, dt, world);
   const Alarm first = world.alarm;
@@ -224,6 +226,7 @@ int run_safeguarded(const Scene& scene, double dt, int finest, World& world) noe
   while (world.alarm && climb(scene, world)) {
     finest = fit_substeps(scene, world);
     wake_again(scene, dt, world);
+    choose_stiff_parts(scene, dt, world);
     run_substeps(scene, dt, finest, world);
     end_bodies(scene, dt, world);
   }

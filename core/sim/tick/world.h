@@ -41,6 +41,7 @@ enum class Safeguard {
   half_steps,        ///< of half the length
   quarter_steps,     ///< of a quarter of it
   implicit_damping,  ///< damped by the velocity that a step leads to, as well
+  implicit_euler,    ///< by implicit Euler where that is still too long, as well
 };
 
 // In brackets the function of the tick that writes a field (tick.cpp).

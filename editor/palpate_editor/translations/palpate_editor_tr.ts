@@ -3223,12 +3223,16 @@ Beklenen: {expected}.</translation>
         <translation>örtük sönüm</translation>
     </message>
     <message>
+        <source>implicit Euler</source>
+        <translation>örtük Euler</translation>
+    </message>
+    <message>
         <source>Safeguard</source>
         <translation>Güvence</translation>
     </message>
     <message>
-        <source>The run would have been stopped after {time:.2f} s: {what}. Shorter steps or implicit damping held the organ together.</source>
-        <translation>Çalışma {time:.2f} s sonra durdurulacaktı: {what}. Organı daha kısa adımlar ya da örtük sönüm bir arada tuttu.</translation>
+        <source>The run would have been stopped after {time:.2f} s: {what}. Shorter or implicit steps held the organ together.</source>
+        <translation>Çalışma {time:.2f} s sonra durdurulacaktı: {what}. Organı daha kısa ya da örtük adımlar bir arada tuttu.</translation>
     </message>
     <message>
         <source>Close for filling</source>

@@ -95,3 +95,88 @@ TEST_CASE("beyond the controller's damping it makes energy on, more slowly") {
   CHECK(tame.energy.back() > 3.0 * most);
   CHECK(tame.energy.back() < 0.5 * wild.energy.back());
 }
+
+namespace {
+
+/// A hand that follows its own way, whatever it is sent, and declares what it is told to.
+struct Follower : HapticDevice {
+  explicit Follower(const DeviceDynamics& declared_in) : declared(declared_in) {}
+  HapticSample read(double time) noexcept override {
+    hand.time = time;
+    return hand;
+  }
+  void write(const HapticCommand&) noexcept override {}
+  std::string name() const override { return "follower"; }
+  DeviceDynamics dynamics() const noexcept override { return declared; }
+
+  DeviceDynamics declared;
+  HapticSample hand;
+};
+
+struct Strike {
+  double given = 0.0;     // [J] by the observer, when it is over
+  double distance = 0.0;  // [m²/s] integral of v² over time
+  long damped = 0;
+};
+
+constexpr double kSpring = 1000.0;  // [N/m]
+
+/// 8 mm into a spring that pushes along as well, by `drive` [N·s/m], and back in 50 ms.
+Strike strike(const DeviceDynamics& declared, double drive = 0.0, double energy_max = 1.0) {
+  constexpr double kDeep = 8e-3, kTime = 0.05, kWait = 0.1;
+  Follower hand(declared);
+  SafeDevice safe(
+      hand,
+      {.force_max = 20.0, .force_continuous = 20.0, .ramp_time = 1e-3, .energy_max = energy_max});
+  Strike struck;
+  for (int k = 0; k <= std::lround((kWait + kTime) / kDt); ++k) {
+    const double phase = 2.0 * M_PI * std::max(0.0, k * kDt - kWait) / kTime;
+    hand.hand.position.z() = -0.5 * kDeep * (1.0 - std::cos(phase));
+    hand.hand.velocity.z() = -0.5 * kDeep * std::sin(phase) * 2.0 * M_PI / kTime;
+    const HapticSample sample = safe.read(k * kDt);
+    struck.given = safe.given_energy();
+    struck.distance += kDt * sample.velocity.squaredNorm();
+    safe.write({.force = drive * sample.velocity - kSpring * sample.position});
+  }
+  struck.damped = safe.damped_count();
+  return struck;
+}
+
+}  // namespace
+
+TEST_CASE("a held spring gives K T/2 times the integral of v², which a device may take up") {
+  const Strike undeclared = strike({});
+  const double held = 0.5 * kSpring * kDt * undeclared.distance;
+  // of what went in and came out again a twentieth is forgotten meanwhile
+  const double forgotten = 0.05 * 0.5 * kSpring * 64e-6;
+  CHECK(std::abs(undeclared.given - held) < forgotten);
+
+  // K T of it at most would be taken up, which is all that the force of the next tick was late by
+  for (const double damping : {0.1, 0.3}) {
+    CAPTURE(damping);
+    CHECK(undeclared.given - strike({.damping = damping}).given ==
+          doctest::Approx(damping * undeclared.distance).epsilon(0.05));
+  }
+  const double late = kSpring * kDt * undeclared.distance;
+  for (const DeviceDynamics& calm :
+       {DeviceDynamics{.damping = 10.0}, DeviceDynamics{.position_source = true}}) {
+    CHECK(undeclared.given - strike(calm).given == doctest::Approx(late).epsilon(0.05));
+  }
+}
+
+TEST_CASE("no strike of a hand that no force moves is damped, however fast") {
+  const double most = SafetyLimits{}.energy_max;
+  CHECK(strike({}, 0.0, most).damped > 0);
+  CHECK(strike({.position_source = true}, 0.0, most).damped == 0);
+}
+
+TEST_CASE("what a contact makes itself is seen whoever moves the hand") {
+  const double most = SafetyLimits{}.energy_max;
+  const Strike even = strike({.position_source = true});
+  for (const double drive : {1.0, 1.5}) {
+    CAPTURE(drive);
+    const Strike active = strike({.position_source = true}, drive);
+    CHECK(active.given - even.given == doctest::Approx(drive * even.distance).epsilon(0.1));
+    CHECK(strike({.position_source = true}, drive, most).damped > 0);
+  }
+}

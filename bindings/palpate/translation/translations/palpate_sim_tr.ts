@@ -193,6 +193,10 @@
         <translation>Doku patlamak üzereydi; şimdilik örtük olarak sönümleniyor.</translation>
     </message>
     <message>
+        <source>The tissue was about to blow up, and its stiffest parts are solved for implicitly for now.</source>
+        <translation>Doku patlamak üzereydi; en sert yerleri şimdilik örtük olarak çözülüyor.</translation>
+    </message>
+    <message>
         <source>It began at the point at %1, %2, %3 mm.</source>
         <translation>%1, %2, %3 mm konumundaki noktada başladı.</translation>
     </message>

@@ -7,23 +7,12 @@
 #include <vector>
 
 #include "palpate/sim/model/load.h"
+#include "palpate/sim/model/private/cut_out.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
 
 // How a deformed tissue gives way at one place, from the particles around it alone.
-
-/// A part of a model that moves, with all that holds it: the tangent of its free particles is that
-/// of the whole model among these particles, all others held.
-struct CutOut {
-  TissueModel model;          ///< without skin and triangles
-  Vec3Array x;                ///< [m] of its particles, where they were cut out
-  std::vector<int> particle;  ///< of each, in the whole model; ascending
-};
-
-/// Cuts out the `most` free particles nearest to `centre` [m], and those in `always`.
-CutOut cut_out(const TissueModel& model, std::span<const Vec3> x, const Vec3& centre, int most,
-               std::span<const int> always = {});
 
 /// [m/N] Symmetric, (k, k): how far points of the surface at positions x [m] move along their
 /// directions under 1 N along each other's. A point is a push, whose force is its direction, unit.

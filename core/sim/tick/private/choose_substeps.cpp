@@ -102,6 +102,7 @@ double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
         work.vertex_scratch, static_cast<int>(body), soft.near_field.get(),
         scene.instruments[i].coupling.stiffness);
   }
+  work.contact_stiffness = contact;
   if (!(contact > 0.0)) return 1.0;
   // no integrator bears more of what is told at the start of a step [motion: integrators]
   double limit = 2.0 / std::sqrt(contact);
@@ -147,6 +148,7 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
     return count_linear_substeps(scene, body, dt, *kernel, world);
   }
   follow_stretch(state.stretch, work);
+  work.contact_stiffness = 0.0;
   bool near = false;
   double travel = 0.0;
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {

@@ -16,6 +16,7 @@
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 #include "palpate/sim/tick/private/safeguard.h"
+#include "palpate/sim/tick/private/step_stiff_part.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -124,7 +125,7 @@ void begin(ReferenceKernel&, const Moved&) noexcept {}
 
 /// By which a body is stepped in double: its own integrator, or its safeguard's.
 Integrator choose_integrator(const SoftBody& body, const SoftState& state) noexcept {
-  return is_damped_implicitly(state) ? Integrator::symplectic_euler_implicit_damping
+  return is_stepped_in_double(state) ? Integrator::symplectic_euler_implicit_damping
                                      : body.integrator;
 }
 
@@ -147,6 +148,8 @@ void step_by(Integrator integrator, const SoftBody& body, const Load& load, doub
              ReferenceKernel* kernel, SoftState& state) noexcept {
   if (is_implicit(integrator) && kernel) {
     kernel->unsolved = !step_implicitly(body, load, dt, kernel->implicit, state);
+  } else if (state.safeguard == Safeguard::implicit_euler) {
+    step_stiff_part(body, state);
   } else {
     step(body.tissue, load, dt, integrator, state.tissue);
   }
@@ -182,20 +185,22 @@ double step_kernel(ReferenceKernel& kernel, const Moved& moved, double dt, bool)
   return step_in_double(moved.body, dt, &kernel, moved.state);
 }
 
+Alarm report_unsolved(const Moved& moved) noexcept {
+  const double step = 1.0 / (moved.scene.rate * moved.state.substeps);
+  return {AlarmKind::not_solved, -1, step, step, moved.state.tissue.time};
+}
+
 Alarm end(ReferenceKernel& kernel, const Moved& moved, double work) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   SoftState& state = moved.state;
-  if (kernel.unsolved) {
-    const double step = 1.0 / (moved.scene.rate * state.substeps);
-    return {AlarmKind::not_solved, -1, step, step, state.tissue.time};
-  }
+  if (kernel.unsolved || internals(state).stiff.unsolved) return report_unsolved(moved);
   state.stretch = measure_stretch(tissue, state.tissue.position);
   return check(tissue, moved.scene.gravity, state.tissue, work, state.guard, state.substeps);
 }
 
 void begin(PackedKernel& kernel, const Moved& moved) noexcept {
   list_near(moved, kernel.near);
-  if (is_damped_implicitly(moved.state)) catch_up(moved.body, moved.state);
+  if (is_stepped_in_double(moved.state)) catch_up(moved.body, moved.state);
   if (!kernel.active.on) return;
   wake_near(*kernel.model, moved.body.tissue, kernel.near.particles_in_use(), kernel.active,
             kernel.state);
@@ -206,7 +211,7 @@ void begin(PackedKernel& kernel, const Moved& moved) noexcept {
 double step_kernel(PackedKernel& kernel, const Moved& moved, double dt, bool last) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   SoftState& state = moved.state;
-  if (is_damped_implicitly(state)) return step_in_double(moved.body, dt, nullptr, state);
+  if (is_stepped_in_double(state)) return step_in_double(moved.body, dt, nullptr, state);
   step(*kernel.model, state.load, dt, kernel.state, last ? &kernel.measure : nullptr);
   unpack_near(tissue, kernel, state);
   move_near_skin(tissue, kernel.near, state);
@@ -231,7 +236,9 @@ Alarm end_in_double(PackedKernel& kernel, const Moved& moved, double work) noexc
   kernel.measure.largest_move = find_largest_move(state);
   kernel.lag.moved += kWiden * kernel.skin_gain * kernel.measure.largest_move;
   const Alarm alarm =
-      check(tissue, moved.scene.gravity, state.tissue, work, state.guard, state.substeps);
+      internals(state).stiff.unsolved
+          ? report_unsolved(moved)
+          : check(tissue, moved.scene.gravity, state.tissue, work, state.guard, state.substeps);
   take_over(*kernel.model, tissue, state.tissue, kernel.state);
   kernel.lag.behind = true;
   catch_up(moved.body, state);
@@ -240,7 +247,7 @@ Alarm end_in_double(PackedKernel& kernel, const Moved& moved, double work) noexc
 
 Alarm end(PackedKernel& kernel, const Moved& moved, double work) noexcept {
   SoftState& state = moved.state;
-  if (is_damped_implicitly(state)) return end_in_double(kernel, moved, work);
+  if (is_stepped_in_double(state)) return end_in_double(kernel, moved, work);
   state.stretch = kernel.measure.stretch;
   state.tissue.time = kernel.state.time;
   kernel.lag.behind = true;

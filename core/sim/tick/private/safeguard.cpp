@@ -157,10 +157,10 @@ bool is_of_steps(AlarmKind kind) noexcept {
          kind == AlarmKind::energy || kind == AlarmKind::not_solved;
 }
 
-/// In double the whole of a body moves, and variables of laws lie otherwise than in vector code.
-bool can_damp_implicitly(const SoftBody& body, const SoftState& state) noexcept {
-  if (is_implicit(body.integrator)) return false;
-  if (body.integrator == Integrator::symplectic_euler_implicit_damping) return false;
+/// In double the whole of a body moves, and variables of laws lie otherwise than in vector code. A
+/// response does not swing.
+bool can_step_in_double(const SoftBody& body, const SoftState& state) noexcept {
+  if (is_implicit(body.integrator) || find_response(state)) return false;
   const PackedKernel* packed = find_packed(state);
   return !packed || (!packed->active.on && count_internal(body.tissue) == 0);
 }
@@ -176,12 +176,16 @@ bool is_available(const SoftBody& body, const SoftState& state, Safeguard safegu
     case Safeguard::quarter_steps:
       return refine(body, safeguard, wanted) > refine(body, Safeguard::half_steps, wanted);
     case Safeguard::implicit_damping:
-      return can_damp_implicitly(body, state);
+      return can_step_in_double(body, state) &&
+             body.integrator != Integrator::symplectic_euler_implicit_damping;
+    case Safeguard::implicit_euler:
+      // a law with a memory advances with all of a step
+      return can_step_in_double(body, state) && count_internal(body.tissue) == 0;
   }
   return false;
 }
 
-constexpr int kHighest = static_cast<int>(Safeguard::implicit_damping);
+constexpr int kHighest = static_cast<int>(Safeguard::implicit_euler);
 
 /// The nearest that there is for a body, up (+1) or down (-1); the present one where there is none.
 Safeguard find_next(const SoftBody& body, const SoftState& state, int direction) noexcept {

@@ -6,7 +6,7 @@
 namespace palpate {
 
 // The safeguards of a body between an alarm and the freeze [motion: ladder]. Nothing here
-// allocates.
+// allocates; of what they step with, implicit Euler does (step_stiff_part.h).
 
 /// Once a tick knows what it may touch, before its first substep: what the substeps will change is
 /// kept.
@@ -30,10 +30,10 @@ void wake_again(const Scene& scene, double dt, World& world) noexcept;
 /// How many substeps a safeguard makes of `wanted`: no more than the body's substeps_max.
 int refine(const SoftBody& body, Safeguard safeguard, int wanted) noexcept;
 
-/// Whether a body is stepped in double by symplectic Euler with implicit damping, whatever its
-/// kernel.
-inline bool is_damped_implicitly(const SoftState& state) noexcept {
-  return state.safeguard == Safeguard::implicit_damping;
+/// Whether a body is stepped in double, by symplectic Euler with implicit damping or with implicit
+/// Euler, whatever its kernel.
+inline bool is_stepped_in_double(const SoftState& state) noexcept {
+  return state.safeguard >= Safeguard::implicit_damping;
 }
 
 }  // namespace palpate

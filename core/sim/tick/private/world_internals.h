@@ -10,14 +10,16 @@
 
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/model/private/mean_load.h"
 #include "palpate/sim/packed/private/active_set.h"
 #include "palpate/sim/packed/private/packed_checkpoint.h"
 #include "palpate/sim/packed/private/packed_model.h"
-#include "palpate/sim/tick/private/mean_load.h"
 #include "palpate/sim/tick/world.h"
 #include "palpate/sim/tree/aabb_tree.h"
 
 namespace palpate {
+
+class StiffPart;
 
 /// What the tools may touch in a tick: particles, and vertices of a skin that rides on them. Only
 /// these are brought up to date between the substeps.
@@ -137,6 +139,12 @@ struct Rest {
   std::vector<std::byte> copy;  ///< of all that a step reads and writes (end_moving)
 };
 
+/// What implicit Euler moves of a body in one tick (step_stiff_part.h).
+struct StiffSteps {
+  std::shared_ptr<StiffPart> part;  ///< none where there was no memory for it (choose_stiff_parts)
+  bool unsolved = false;  ///< it found no solution, or needs too many particles (step_stiff_part)
+};
+
 /// What stands behind a SoftState: the kernel that moves its tissue, and buffers.
 struct BodyInternals {
   BodyInternals(const Scene& scene, const SoftBody& body, const SoftState& state);
@@ -146,11 +154,13 @@ struct BodyInternals {
   int latest = 0;                             ///< which of them is of this tick (keep_checkpoint)
   Calm calm;                                  ///< (calm_down, climb)
   Rest rest;
-  TreeCost tree_cost;                  ///< (follow_tissue)
-  StretchSpectrum spectrum;            ///< never changes
-  double chosen_stiffness;             ///< [1/s²] largest eigenvalue of M⁻¹K (choose_substeps)
-  int wanted_substeps;                 ///< before those of all bodies were fitted (choose_substeps)
-  std::vector<double> surface_mass;    ///< [kg] per vertex of the surface; never changes
+  TreeCost tree_cost;                ///< (follow_tissue)
+  StretchSpectrum spectrum;          ///< never changes
+  double chosen_stiffness;           ///< [1/s²] largest eigenvalue of M⁻¹K (choose_substeps)
+  int wanted_substeps;               ///< before those of all bodies were fitted (choose_substeps)
+  double contact_stiffness = 0.0;    ///< [1/s²] that contacts add to it at most (choose_substeps)
+  StiffSteps stiff;                  ///< under Safeguard::implicit_euler
+  std::vector<double> surface_mass;  ///< [kg] per vertex of the surface; never changes
   std::vector<double> vertex_scratch;  ///< per vertex of the surface; zero between its uses
   MeanLoad mean_load;  ///< over the substeps of a finer body since the last step (move_bodies)
 };

@@ -156,6 +156,7 @@ def name_safeguard(safeguard: palpate.Safeguard) -> str | None:
         palpate.Safeguard.half_steps: tr("half steps"),
         palpate.Safeguard.quarter_steps: tr("quarter steps"),
         palpate.Safeguard.implicit_damping: tr("implicit damping"),
+        palpate.Safeguard.implicit_euler: tr("implicit Euler"),
     }.get(safeguard)
 
 
@@ -201,8 +202,8 @@ def describe_averted(report: palpate.LoopReport) -> str | None:
         return None
     return fill(
         tr(
-            "The run would have been stopped after {time:.2f} s: {what}. Shorter steps or implicit "
-            "damping held the organ together."
+            "The run would have been stopped after {time:.2f} s: {what}. Shorter or implicit "
+            "steps held the organ together."
         ),
         time=report.averted.time,
         what=say_alarm(report.averted, QCoreApplication.translate, say_short),

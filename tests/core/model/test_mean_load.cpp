@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "palpate/sim/tick/private/mean_load.h"
+#include "palpate/sim/model/private/mean_load.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;

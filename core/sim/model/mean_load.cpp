@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/tick/private/mean_load.h"
+#include "palpate/sim/model/private/mean_load.h"
 
 namespace palpate {
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/tick/private/step_stiff_part.h"
+
+#include <exception>
+#include <memory>
+#include <vector>
+
+#include "palpate/sim/implicit/private/stiff_part.h"
+#include "palpate/sim/tick/private/world_internals.h"
+
+namespace palpate {
+namespace {
+
+/// Calls `visit` with every particle that carries a corner of the triangle.
+template <class Visit>
+void for_each_carrier(const TissueModel& tissue, int triangle, Visit visit) {
+  for (const int vertex : tissue.triangles[static_cast<std::size_t>(triangle)]) {
+    if (tissue.skin.corners.empty()) {
+      visit(vertex);
+      continue;
+    }
+    for (const int i : tissue.skin.corners[static_cast<std::size_t>(vertex)]) visit(i);
+  }
+}
+
+/// [1/s²] What contacts add to w² of a particle that may be touched or is held; none in the air.
+std::vector<double> list_contact_stiffness(const SoftBody& body, std::size_t index,
+                                           const World& world) {
+  const double most = internals(world.bodies[index]).contact_stiffness;
+  if (!(most > 0.0)) return {};
+  const TissueModel& tissue = body.tissue;
+  std::vector<double> added(tissue.mass.size(), 0.0);
+  const auto add = [&](int i) { added[static_cast<std::size_t>(i)] = most; };
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    const Candidates& candidates = world.pair(i, index).candidates;
+    for (int c = 0; c < candidates.count; ++c) {
+      for_each_carrier(tissue, candidates.triangles[static_cast<std::size_t>(c)], add);
+    }
+    const ToolState& tool = world.instruments[i].tool;
+    for (int h = 0; h < tool.hold_count; ++h) {
+      const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
+      if (hold.body == static_cast<int>(index)) for_each_carrier(tissue, hold.triangle, add);
+    }
+  }
+  return added;
+}
+
+}  // namespace
+
+void choose_stiff_parts(const Scene& scene, double dt, World& world) noexcept {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    SoftState& state = world.bodies[b];
+    StiffSteps& stiff = internals(state).stiff;
+    stiff.part.reset();
+    stiff.unsolved = false;
+    if (state.safeguard != Safeguard::implicit_euler || state.asleep) continue;
+    try {
+      stiff.part = std::make_shared<StiffPart>(scene.bodies[b].tissue, state.tissue.position,
+                                               dt / state.substeps,
+                                               list_contact_stiffness(scene.bodies[b], b, world));
+    } catch (const std::exception&) {
+      // without memory there is no such part
+    }
+    stiff.unsolved = !stiff.part || !stiff.part->holds();
+  }
+}
+
+void step_stiff_part(const SoftBody& body, SoftState& state) noexcept {
+  StiffSteps& stiff = internals(state).stiff;
+  if (stiff.unsolved) return;
+  try {
+    stiff.unsolved = !stiff.part->step(body.tissue, state.load, state.tissue);
+  } catch (const std::exception&) {
+    stiff.unsolved = true;
+  }
+}
+
+}  // namespace palpate
