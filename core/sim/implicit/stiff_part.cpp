@@ -40,7 +40,7 @@ SparseMatrix scale(const TissueModel& model, std::span<const Vec3> x, double dt,
 }
 
 /// The sum of a particle's rows: no eigenvalue of those that are left is larger than the largest
-/// among them [Gershgorin31].
+/// among them (Gershgorin).
 std::vector<double> sum_rows(const SparseMatrix& scaled) {
   std::vector<double> sums(static_cast<std::size_t>(scaled.cols() / 3), 0.0);
   for (int column = 0; column < scaled.outerSize(); ++column) {
