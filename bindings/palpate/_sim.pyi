@@ -3103,6 +3103,7 @@ class Safeguard(enum.IntEnum):
     half_steps = 1
     quarter_steps = 2
     implicit_damping = 3
+    implicit_euler = 4
 
 class SoftState:
     """A soft body of a running scene, after every tick."""
@@ -3336,17 +3337,21 @@ class DeviceDynamics:
     """What a device declares of itself, from which follows how stiff what is felt through it
     may be.
     """
-    def __init__(self, *, damping: float = ..., delay: float = ...) -> None:
+    def __init__(
+        self, *, damping: float = ..., delay: float = ..., position_source: bool = ...
+    ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     damping: float
     """[N·s/m] The least that the hand always feels of it; 0: none declared."""
     delay: float
     """[s] From a hand to the force that answers it, holding not included."""
+    position_source: bool
+    """No force moves its hand: a script, a record, a mouse."""
     def __copy__(self) -> DeviceDynamics:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> DeviceDynamics:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

@@ -53,11 +53,13 @@ def test_a_rate_that_the_ticks_cannot_keep_is_refused():
 def test_a_device_that_declares_nothing_keeps_nothing_passive_and_an_arm_does():
     assert press().dynamics().damping == 0.0
     assert palpate.find_passive_stiffness(press().dynamics(), 1e-3) == 0.0
+    assert press().dynamics().position_source
     arm = palpate.SimulatedArm(press())
     arm.open()
 
     dynamics = arm.dynamics()
 
+    assert not dynamics.position_source
     assert 0.05 < dynamics.damping < 1.0
     assert 0.0 < dynamics.delay < 0.01
     found = palpate.find_passive_stiffness(dynamics, 1e-3)

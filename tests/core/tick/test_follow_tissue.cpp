@@ -209,6 +209,7 @@ TEST_CASE("what blows up raises the same alarm and stands at the same place, fol
   scene.bodies[0].substeps = scene.bodies[0].substeps_max = 1;
   scene.rate = rate;
   World whole(scene), part(scene);
+  whole.recovers = part.recovers = false;
   part.follows_all = false;
   HapticSample sample;
 
