@@ -1969,6 +1969,46 @@ class Capsule:
     def __repr__(self) -> str:
         """The value on one line."""
 
+class Jaws:
+    """Two jaws on one hinge, which close on what lies between them with a limited force: of a
+    tool of two capsules, each of them a jaw where it is closed. The first opens by turning
+    about axis, the second the other way.
+    """
+    def __init__(
+        self,
+        *,
+        hinge: ArrayLike = ...,
+        axis: ArrayLike = ...,
+        open: float = ...,
+        grip: float = ...,
+        pad_area: float = ...,
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    @property
+    def hinge(self) -> NDArray[np.float64]:
+        """[m] a point of the axis, in the tool's frame. Shape (3,), a view."""
+    @hinge.setter
+    def hinge(self, value: ArrayLike) -> None: ...
+    @property
+    def axis(self) -> NDArray[np.float64]:
+        """[-] Unit. Shape (3,), a view."""
+    @axis.setter
+    def axis(self, value: ArrayLike) -> None: ...
+    open: float
+    """[rad] the farthest that each jaw turns."""
+    grip: float
+    """[N] that each closes with at most, at the middle of its capsule."""
+    pad_area: float
+    """[m²] of the side of each that holds."""
+    def __copy__(self) -> Jaws:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Jaws:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class Tool:
     """What of the instrument touches, never a point: a ball, or a rigid list of capsules."""
     def __init__(
@@ -1978,6 +2018,7 @@ class Tool:
         stiffness: float = ...,
         friction: float = ...,
         capsules: Sequence[Capsule] = ...,
+        jaws: Jaws | None = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     radius: float
@@ -1991,19 +2032,25 @@ class Tool:
         """A list of at most MOST_CAPSULES, copied; empty: a ball about the position."""
     @capsules.setter
     def capsules(self, value: Sequence[Capsule]) -> None: ...
+    jaws: Jaws | None
+    """Of a tool of two capsules, copied; None: what touches is rigid."""
     def __copy__(self) -> Tool:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Tool:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
 
 class ToolState:
     """Where the tool is (the paper's ideal tip, IUN) and what it is fastened to."""
-    def __init__(self, capacity: int = ..., patch_capacity: int = ...) -> None:
-        """Room for so many holds and, with friction, triangles that are touched at once."""
+    def __init__(
+        self, capacity: int = ..., patch_capacity: int = ..., anchor_capacity: int = ...
+    ) -> None:
+        """Room for so many holds and, with friction, triangles that are touched at once, and
+        with jaws, of both.
+        """
     class Carrier:
         """The surface nearest to the tool after the last substep; the tool rides on its motion."""
         @property
@@ -2095,6 +2142,43 @@ class ToolState:
     @property
     def carrier(self) -> ToolState.Carrier:
         """The surface nearest to the tool."""
+    @property
+    def jaw_angle(self) -> float:
+        """[rad] by which each jaw is open; of a tool with jaws, as what follows."""
+    @property
+    def jaw_wanted(self) -> float:
+        """[rad] by which the hand would have it open."""
+    @property
+    def grip_limit(self) -> float:
+        """[N] up to which it closes now: Jaws.grip, less as it lets go."""
+    @property
+    def pinch(self) -> float:
+        """[N] that each jaw presses with, the mean of both."""
+    @property
+    def pad_pressure(self) -> float:
+        """[Pa] of that on what is touched of a pad."""
+    @property
+    def carried(self) -> NDArray[np.float64]:
+        """[N] on the tool, of all anchors: what it holds up. Shape (3,), a view."""
+    @carried.setter
+    def carried(self, value: ArrayLike) -> None: ...
+    @property
+    def anchors(self) -> NDArray[Any]:
+        """Where tissue sticks to the jaws, all there is room for: a structured array of shape
+        (anchor_capacity,) (triangle, body, jaw, weights, place, pressed, stiffness); a view,
+        read-only.
+        """
+    @property
+    def anchor_count(self) -> int:
+        """How many of them there are."""
+    @property
+    def held_load(self) -> float:
+        """[N] that they carry, each whatever its direction."""
+    @property
+    def pinches(self) -> bool:
+        """Tissue sticks to both jaws."""
+    def has_hold(self) -> bool:
+        """Something follows the tool: it is fastened, or pinched."""
     def __copy__(self) -> ToolState:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> ToolState:
@@ -2102,6 +2186,16 @@ class ToolState:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
         object,
         object,
         object,
@@ -2326,9 +2420,11 @@ def find_candidates(
     rest_areas: ArrayLike,
     candidates: Candidates,
     orientation: ArrayLike = ...,
+    jaw_angle: float = ...,
 ) -> None:
     """Finds every triangle within radius + CANDIDATE_MARGIN of the path from the tool's last
-    position to where the hand is now. rest_areas [m²] per triangle of the tissue.
+    position to where the hand is now, with jaws open by jaw_angle [rad]. rest_areas [m²] per
+    triangle of the tissue.
 
     Args:
         x: [m] shape (n, 3), positions
@@ -2428,9 +2524,9 @@ class HapticSample:
     @velocity.setter
     def velocity(self, value: ArrayLike) -> None: ...
     buttons: int
-    """Bit 0: attach while held."""
+    """Bit 0: attach while held; of a tool with jaws, close them."""
     grip: float
-    """[rad]"""
+    """[rad] by which a grip axis has closed each jaw, 0: open."""
     dtype: np.dtype[np.void]
     def __copy__(self) -> HapticSample:
         """A copy of its own."""
@@ -3156,6 +3252,9 @@ class InstrumentState:
     def attach_pressed(self) -> bool:
         """Whether the attach button was, in the last tick."""
     @property
+    def opens(self) -> bool:
+        """Its jaws open by themselves, until the hand has."""
+    @property
     def release_ticks(self) -> int:
         """Left until a hold that fades is gone; 0 when none does."""
     @property
@@ -3302,7 +3401,7 @@ def has_room(tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, radius: flo
 
     Whether place_tool would put a tool there.
 
-    The same for a tool of any shape that is held so.
+    The same for a tool of any shape that is held so, with jaws open by jaw_angle [rad].
 
     Args:
         x: [m] shape (n, 3), positions
@@ -3313,7 +3412,12 @@ def has_room(tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, radius: flo
 
 @overload
 def has_room(
-    tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, tool: Tool, orientation: ArrayLike
+    tree: AabbTree,
+    x: ArrayLike,
+    hand_position: ArrayLike,
+    tool: Tool,
+    orientation: ArrayLike,
+    jaw_angle: float = ...,
 ) -> bool: ...
 def compute_winding_number(triangles: ArrayLike, x: ArrayLike, p: ArrayLike) -> float:
     """[-] How often the surface goes round p: 1 inside of a closed surface, 0 outside, and for
@@ -5500,16 +5604,34 @@ class InstrumentSnapshot:
     def touching(self) -> bool:
         """Any contact in force."""
     @property
+    def jaw_angle(self) -> float:
+        """[rad] by which each of its jaws is open."""
+    @property
+    def pinch(self) -> float:
+        """[N] that each of them presses with."""
+    @property
+    def pad_pressure(self) -> float:
+        """[Pa] of that."""
+    @property
     def motors(self) -> MotorState:
         """Of the device."""
     @property
     def interventions(self) -> int:
         """Of the device's passivity controller, so far."""
+    @property
+    def carried(self) -> NDArray[np.float64]:
+        """[N] on the tool, of what its jaws hold. Shape (3,), a view."""
+    @carried.setter
+    def carried(self, value: ArrayLike) -> None: ...
     def __copy__(self) -> InstrumentSnapshot:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> InstrumentSnapshot:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object, object, object, object, object, object, object, object, object, object, object
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

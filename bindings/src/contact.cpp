@@ -33,7 +33,69 @@ py::dtype row_dtype<ToolState::PatchPoint>() {
       .dtype();
 }
 
+template <>
+py::dtype row_dtype<ToolState::Anchor>() {
+  return RowType<ToolState::Anchor>()
+      .field("triangle", &ToolState::Anchor::triangle)
+      .field("body", &ToolState::Anchor::body)
+      .field("jaw", &ToolState::Anchor::jaw)
+      .field("weights", &ToolState::Anchor::weights)
+      .field("place", &ToolState::Anchor::place)
+      .field("pressed", &ToolState::Anchor::pressed)
+      .field("stiffness", &ToolState::Anchor::stiffness)
+      .dtype();
+}
+
 namespace {
+
+void bind_jaws(py::module_& m) {
+  const Jaws usual;
+  py::class_<Jaws> jaws(
+      m, "Jaws",
+      "Two jaws on one hinge, which close on what lies between them with a limited force: of a "
+      "tool of two capsules, each of them a jaw where it is closed. The first opens by turning "
+      "about axis, the second the other way.");
+  jaws.def(
+      py::init([](const Vec3& hinge, const Vec3& axis, double open, double grip, double pad_area) {
+        return Jaws{hinge, axis, open, grip, pad_area};
+      }),
+      py::kw_only(), "hinge"_a = usual.hinge, "axis"_a = usual.axis, "open"_a = usual.open,
+      "grip"_a = usual.grip, "pad_area"_a = usual.pad_area);
+  def_vector(jaws, "hinge", &Jaws::hinge, "[m] a point of the axis, in the tool's frame.");
+  def_vector(jaws, "axis", &Jaws::axis, "[-] Unit.");
+  jaws.def_readwrite("open", &Jaws::open, "[rad] the farthest that each jaw turns.")
+      .def_readwrite("grip", &Jaws::grip,
+                     "[N] that each closes with at most, at the middle of its capsule.")
+      .def_readwrite("pad_area", &Jaws::pad_area, "[m²] of the side of each that holds.");
+  def_value(jaws, &Jaws::hinge, &Jaws::axis, &Jaws::open, &Jaws::grip, &Jaws::pad_area);
+  def_repr(jaws, {"hinge", "axis", "open", "grip", "pad_area"});
+}
+
+void def_jaw_state(py::class_<ToolState>& state) {
+  state
+      .def_readonly("jaw_angle", &ToolState::jaw_angle,
+                    "[rad] by which each jaw is open; of a tool with jaws, as what follows.")
+      .def_readonly("jaw_wanted", &ToolState::jaw_wanted,
+                    "[rad] by which the hand would have it open.")
+      .def_readonly("grip_limit", &ToolState::grip_limit,
+                    "[N] up to which it closes now: Jaws.grip, less as it lets go.")
+      .def_readonly("pinch", &ToolState::pinch, "[N] that each jaw presses with, the mean of both.")
+      .def_readonly("pad_pressure", &ToolState::pad_pressure,
+                    "[Pa] of that on what is touched of a pad.");
+  def_vector(state, "carried", &ToolState::carried,
+             "[N] on the tool, of all anchors: what it holds up.");
+  def_fixed_rows(
+      state, "anchors", &ToolState::anchors,
+      "Where tissue sticks to the jaws, all there is room for: a structured array of "
+      "shape (anchor_capacity,) (triangle, body, jaw, weights, place, pressed, stiffness); a view, "
+      "read-only.");
+  state.def_readonly("anchor_count", &ToolState::anchor_count, "How many of them there are.")
+      .def_readonly("held_load", &ToolState::held_load,
+                    "[N] that they carry, each whatever its direction.")
+      .def_readonly("pinches", &ToolState::pinches, "Tissue sticks to both jaws.")
+      .def("has_hold", &ToolState::has_hold,
+           "Something follows the tool: it is fastened, or pinched.");
+}
 
 void bind_tool(py::module_& m) {
   const Tool usual;
@@ -50,15 +112,16 @@ void bind_tool(py::module_& m) {
   def_value(capsule, &Capsule::from, &Capsule::to);
   def_repr(capsule, {"from_", "to"});
 
+  bind_jaws(m);
   py::class_<Tool> tool(m, "Tool",
                         "What of the instrument touches, never a point: a ball, or a rigid list of "
                         "capsules.");
   tool.def(py::init([](double radius, double stiffness, double friction,
-                       const std::vector<Capsule>& capsules) {
-             return Tool{radius, stiffness, friction, capsules};
+                       const std::vector<Capsule>& capsules, const std::optional<Jaws>& jaws) {
+             return Tool{radius, stiffness, friction, capsules, jaws};
            }),
            py::kw_only(), "radius"_a = usual.radius, "stiffness"_a = usual.stiffness,
-           "friction"_a = usual.friction, "capsules"_a = py::list());
+           "friction"_a = usual.friction, "capsules"_a = py::list(), "jaws"_a = py::none());
   tool.def_readwrite("radius", &Tool::radius, "[m]")
       .def_readwrite("stiffness", &Tool::stiffness,
                      "[N/m³] k_A: pressure per depth of the contact law.")
@@ -68,8 +131,12 @@ void bind_tool(py::module_& m) {
       "capsules", [](const Tool& self) { return self.capsules; },
       [](Tool& self, const std::vector<Capsule>& capsules) { self.capsules = capsules; },
       "A list of at most MOST_CAPSULES, copied; empty: a ball about the position.");
-  def_value(tool, &Tool::radius, &Tool::stiffness, &Tool::friction, &Tool::capsules);
-  def_repr(tool, {"radius", "stiffness", "friction", "capsules"});
+  tool.def_property(
+      "jaws", [](const Tool& self) { return self.jaws; },
+      [](Tool& self, const std::optional<Jaws>& jaws) { self.jaws = jaws; },
+      "Of a tool of two capsules, copied; None: what touches is rigid.");
+  def_value(tool, &Tool::radius, &Tool::stiffness, &Tool::friction, &Tool::capsules, &Tool::jaws);
+  def_repr(tool, {"radius", "stiffness", "friction", "capsules", "jaws"});
 
   py::class_<ToolState> state(
       m, "ToolState", "Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.");
@@ -86,12 +153,14 @@ void bind_tool(py::module_& m) {
   def_value(carrier, &ToolState::Carrier::triangle, &ToolState::Carrier::weights,
             &ToolState::Carrier::point, &ToolState::Carrier::direction, &ToolState::Carrier::body);
   def_repr(carrier, {"triangle", "weights", "point", "direction", "body"});
-  state.def(py::init([](int capacity, int patch_capacity) {
+  state.def(py::init([](int capacity, int patch_capacity, int anchor_capacity) {
               return ToolState(to_count(capacity, "capacity"),
-                               to_count(patch_capacity, "patch_capacity"));
+                               to_count(patch_capacity, "patch_capacity"),
+                               to_count(anchor_capacity, "anchor_capacity"));
             }),
-            "capacity"_a = 0, "patch_capacity"_a = 0,
-            "Room for so many holds and, with friction, triangles that are touched at once.");
+            "capacity"_a = 0, "patch_capacity"_a = 0, "anchor_capacity"_a = 0,
+            "Room for so many holds and, with friction, triangles that are touched at once, and "
+            "with jaws, of both.");
   def_vector(state, "position", &ToolState::position, "[m]");
   state.def_property_readonly(
       "orientation",
@@ -120,10 +189,14 @@ void bind_tool(py::module_& m) {
              "[-] Unit, in which the contacts together push the tool.");
   def_vector(state, "friction", &ToolState::friction, "[N] on the tool in the last substep.");
   state.def_readonly("carrier", &ToolState::carrier, "The surface nearest to the tool.");
+  def_jaw_state(state);
   def_value(state, &ToolState::position, &ToolState::orientation, &ToolState::torque,
             &ToolState::placed, &ToolState::holds, &ToolState::hold_count, &ToolState::carrier,
             &ToolState::touching, &ToolState::residual, &ToolState::patch, &ToolState::patch_count,
-            &ToolState::patch_position, &ToolState::patch_normal, &ToolState::friction);
+            &ToolState::patch_position, &ToolState::patch_normal, &ToolState::friction,
+            &ToolState::jaw_angle, &ToolState::jaw_wanted, &ToolState::grip_limit,
+            &ToolState::pinch, &ToolState::pad_pressure, &ToolState::carried, &ToolState::anchors,
+            &ToolState::anchor_count, &ToolState::held_load, &ToolState::pinches);
   def_repr(state, {"position", "placed", "touching", "hold_count", "residual"});
 
   const Coupling spring;
@@ -199,7 +272,7 @@ void bind_candidates(py::module_& m) {
       "find_candidates",
       [](const AabbTree& tree, const Numbers& x, const Tool& tool, const Vec3& tool_position,
          const Vec3& hand_position, const Numbers& rest_areas, Candidates& found,
-         const Eigen::Vector4d& xyzw) {
+         const Eigen::Vector4d& xyzw, double jaw_angle) {
         const auto xs = points(x, "x");
         require_fit(tree, xs);
         const auto areas = numbers(rest_areas, "rest_areas");
@@ -211,12 +284,13 @@ void bind_candidates(py::module_& m) {
                  "for every triangle and capsule, " + std::to_string(all));
         }
         find_candidates(tree, xs, tool, tool_position, hand_position, areas, found,
-                        to_quaternion(xyzw));
+                        to_quaternion(xyzw), jaw_angle);
       },
       "tree"_a, "x"_a, "tool"_a, "tool_position"_a, "hand_position"_a, "rest_areas"_a,
-      "candidates"_a, "orientation"_a = Eigen::Vector4d(0.0, 0.0, 0.0, 1.0),
+      "candidates"_a, "orientation"_a = Eigen::Vector4d(0.0, 0.0, 0.0, 1.0), "jaw_angle"_a = 0.0,
       "Finds every triangle within radius + CANDIDATE_MARGIN of the path from the tool's last "
-      "position to where the hand is now. rest_areas [m²] per triangle of the tissue.");
+      "position to where the hand is now, with jaws open by jaw_angle [rad]. rest_areas [m²] per "
+      "triangle of the tissue.");
 }
 
 /// Rows and positions as a contact function wants them, checked against each other.

@@ -78,12 +78,20 @@ void bind_snapshot(py::module_& m) {
   def_vector(instrument, "force", &InstrumentSnapshot::force,
              "[N] on the hand; none while the motors are not on.");
   instrument.def_readonly("touching", &InstrumentSnapshot::touching, "Any contact in force.")
+      .def_readonly("jaw_angle", &InstrumentSnapshot::jaw_angle,
+                    "[rad] by which each of its jaws is open.")
+      .def_readonly("pinch", &InstrumentSnapshot::pinch, "[N] that each of them presses with.")
+      .def_readonly("pad_pressure", &InstrumentSnapshot::pad_pressure, "[Pa] of that.")
       .def_readonly("motors", &InstrumentSnapshot::motors, "Of the device.")
       .def_readonly("interventions", &InstrumentSnapshot::interventions,
                     "Of the device's passivity controller, so far.");
+  def_vector(instrument, "carried", &InstrumentSnapshot::carried,
+             "[N] on the tool, of what its jaws hold.");
   def_value(instrument, &InstrumentSnapshot::sample, &InstrumentSnapshot::tool_position,
             &InstrumentSnapshot::tool_orientation, &InstrumentSnapshot::force,
-            &InstrumentSnapshot::touching, &InstrumentSnapshot::motors,
+            &InstrumentSnapshot::touching, &InstrumentSnapshot::jaw_angle,
+            &InstrumentSnapshot::pinch, &InstrumentSnapshot::pad_pressure,
+            &InstrumentSnapshot::carried, &InstrumentSnapshot::motors,
             &InstrumentSnapshot::interventions);
   def_repr(instrument, {"touching", "force", "tool_position", "motors", "interventions"});
 

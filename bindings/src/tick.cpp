@@ -47,8 +47,11 @@ void bind_sample(py::module_& m) {
       },
       "[-] Unit quaternion (x, y, z, w), shape (4,); a view.");
   def_vector(sample, "velocity", &HapticSample::velocity, "[m/s]");
-  sample.def_readwrite("buttons", &HapticSample::buttons, "Bit 0: attach while held.")
-      .def_readwrite("grip", &HapticSample::grip, "[rad]");
+  sample
+      .def_readwrite("buttons", &HapticSample::buttons,
+                     "Bit 0: attach while held; of a tool with jaws, close them.")
+      .def_readwrite("grip", &HapticSample::grip,
+                     "[rad] by which a grip axis has closed each jaw, 0: open.");
   sample.attr("dtype") = row_dtype<HapticSample>();
   def_value(sample, &HapticSample::time, &HapticSample::position, &HapticSample::orientation,
             &HapticSample::velocity, &HapticSample::buttons, &HapticSample::grip);
@@ -149,13 +152,13 @@ void bind_tick_functions(py::module_& m) {
   m.def(
       "has_room",
       [](const AabbTree& tree, const Numbers& x, const Vec3& hand_position, const Tool& tool,
-         const Eigen::Vector4d& orientation) {
+         const Eigen::Vector4d& orientation, double jaw_angle) {
         const auto xs = points(x, "x");
         require_fit(tree, xs);
-        return has_room(tree, xs, hand_position, tool, to_quaternion(orientation));
+        return has_room(tree, xs, hand_position, tool, to_quaternion(orientation), jaw_angle);
       },
-      "tree"_a, "x"_a, "hand_position"_a, "tool"_a, "orientation"_a,
-      "The same for a tool of any shape that is held so.");
+      "tree"_a, "x"_a, "hand_position"_a, "tool"_a, "orientation"_a, "jaw_angle"_a = 0.0,
+      "The same for a tool of any shape that is held so, with jaws open by jaw_angle [rad].");
   m.def(
       "compute_winding_number",
       [](const Integers& triangles, const Numbers& x, const Vec3& p) {

@@ -52,6 +52,8 @@ void bind_states(py::module_& m) {
   instrument.def_readonly("tool", &InstrumentState::tool, "Where the tool is; read-only.")
       .def_readonly("attach_pressed", &InstrumentState::attach_pressed,
                     "Whether the attach button was, in the last tick.")
+      .def_readonly("opens", &InstrumentState::opens,
+                    "Its jaws open by themselves, until the hand has.")
       .def_readonly("release_ticks", &InstrumentState::release_ticks,
                     "Left until a hold that fades is gone; 0 when none does.");
   def_vector(instrument, "hand", &InstrumentState::hand,

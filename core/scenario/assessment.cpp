@@ -75,9 +75,10 @@ std::string choose_level(const std::string& asked, const std::vector<std::string
                               (known.empty() ? "none: there are no levels" : "one of " + known));
 }
 
-/// [m] Of the one capsule of a tool; 0 of a ball.
+/// [m] Of the one capsule of a tool, or of each of its jaws; 0 of a ball.
 double measure_length(const Tool& tool) {
   double length = 0.0;
+  if (tool.jaws) return (tool.capsules[0].to - tool.capsules[0].from).norm();
   for (const Capsule& capsule : tool.capsules) length += (capsule.to - capsule.from).norm();
   return length;
 }

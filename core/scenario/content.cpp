@@ -55,8 +55,16 @@ Json print_body(const SoftBody& body) {
 
 Json print_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+Json print_jaws(const Jaws& jaws) {
+  return {{"hinge", print_vector(jaws.hinge)},
+          {"axis", print_vector(jaws.axis)},
+          {"open", jaws.open},
+          {"grip", jaws.grip},
+          {"pad_area", jaws.pad_area}};
+}
+
 Json print_instrument(const Instrument& instrument) {
-  const auto& [radius, tool_stiffness, friction, capsules] = instrument.tool;
+  const auto& [radius, tool_stiffness, friction, capsules, jaws] = instrument.tool;
   const auto& [coupling_stiffness, force_max] = instrument.coupling;
   Json tool = {{"radius", radius}, {"stiffness", tool_stiffness}};
   if (friction > 0.0) tool["friction"] = friction;
@@ -64,6 +72,7 @@ Json print_instrument(const Instrument& instrument) {
     tool["capsules"].push_back(
         {{"from", print_vector(capsule.from)}, {"to", print_vector(capsule.to)}});
   }
+  if (jaws) tool["jaws"] = print_jaws(*jaws);
   Json printed = {{"tool", std::move(tool)},
                   {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
                   {"hold_stiffness", instrument.hold_stiffness}};
@@ -160,13 +169,28 @@ std::vector<Capsule> parse_capsules(Fields& tool) {
   return capsules;
 }
 
+/// None of a rigid tool.
+std::optional<Jaws> parse_jaws(Fields& tool) {
+  if (!tool.has("jaws")) return {};
+  Fields fields = tool.object("jaws");
+  Jaws jaws;
+  jaws.hinge = parse_vector(fields, "hinge");
+  jaws.axis = parse_vector(fields, "axis");
+  jaws.open = fields.number("open");
+  jaws.grip = fields.number("grip");
+  jaws.pad_area = fields.number("pad_area");
+  fields.finish();
+  return jaws;
+}
+
 Instrument parse_instrument(Fields fields) {
   Instrument instrument;
   Fields tool = fields.object("tool");
   instrument.tool = {.radius = tool.number("radius"),
                      .stiffness = tool.number("stiffness"),
                      .friction = tool.number_or("friction", 0.0),
-                     .capsules = parse_capsules(tool)};
+                     .capsules = parse_capsules(tool),
+                     .jaws = parse_jaws(tool)};
   tool.finish();
   Fields coupling = fields.object("coupling");
   instrument.coupling = {.stiffness = coupling.number("stiffness"),

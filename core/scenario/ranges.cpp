@@ -43,6 +43,11 @@ std::vector<Range> build_ranges() {
   ranges.push_back({"scene.instruments[i].tool.stiffness", "N/m³", 1e3, 1e12});
   ranges.push_back({"scene.instruments[i].tool.friction", "-", 0.0, 2.0});
   ranges.push_back({"scene.instruments[i].tool.capsules", "m", -0.5, 0.5});
+  ranges.push_back({"scene.instruments[i].tool.jaws.hinge", "m", -0.5, 0.5});
+  ranges.push_back({"scene.instruments[i].tool.jaws.axis", "-", -1.0, 1.0});
+  ranges.push_back({"scene.instruments[i].tool.jaws.open", "rad", 1e-3, 1.57});
+  ranges.push_back({"scene.instruments[i].tool.jaws.grip", "N", 1e-3, 100.0});
+  ranges.push_back({"scene.instruments[i].tool.jaws.pad_area", "m²", 1e-8, 1e-2});
   ranges.push_back({"scene.instruments[i].coupling.stiffness", "N/m", 0.1, 1e6});
   ranges.push_back({"scene.instruments[i].coupling.force_max", "N", 1e-3, 1e3});
   ranges.push_back({"scene.instruments[i].hold_stiffness", "N/m", 1e-3, 1e6});
@@ -108,6 +113,16 @@ void check_table(const char* name, const std::vector<Row>& table, std::size_t bo
   }
 }
 
+void check_jaws(const Tool& tool, std::size_t i) {
+  if (!tool.jaws) return;
+  const Jaws& jaws = *tool.jaws;
+  for (const double at : jaws.hinge) check_number("scene.instruments[i].tool.jaws.hinge", at, i);
+  for (const double at : jaws.axis) check_number("scene.instruments[i].tool.jaws.axis", at, i);
+  check_number("scene.instruments[i].tool.jaws.open", jaws.open, i);
+  check_number("scene.instruments[i].tool.jaws.grip", jaws.grip, i);
+  check_number("scene.instruments[i].tool.jaws.pad_area", jaws.pad_area, i);
+}
+
 void check_instrument(const Instrument& instrument, std::size_t i) {
   check_number("scene.instruments[i].tool.radius", instrument.tool.radius, i);
   check_number("scene.instruments[i].tool.stiffness", instrument.tool.stiffness, i);
@@ -117,6 +132,7 @@ void check_instrument(const Instrument& instrument, std::size_t i) {
       for (const double at : end) check_number("scene.instruments[i].tool.capsules", at, i);
     }
   }
+  check_jaws(instrument.tool, i);
   check_number("scene.instruments[i].coupling.stiffness", instrument.coupling.stiffness, i);
   check_number("scene.instruments[i].coupling.force_max", instrument.coupling.force_max, i);
   check_number("scene.instruments[i].hold_stiffness", instrument.hold_stiffness, i);

@@ -95,12 +95,14 @@ SINCE = (
     ("model", "contact_hold", "fastened"),
     ("tool", "length", 0.0),
     ("tool", "trocar_height", 0.15),
+    ("tool", "jaw_opening", 0.0),
+    ("tool", "grip_force", 5.0),
 )
-"""Part, field and value as before of what came to documents with versions 11 to 15."""
+"""Part, field and value as before of what came to documents with versions 11 to 16."""
 
 
 def keep_known(content: dict[str, Any]) -> None:
-    """Takes away what documents of before versions 9 and 11 to 15 do not say, so that their charts
+    """Takes away what documents of before versions 9 and 11 to 16 do not say, so that their charts
     are known."""
     for part, name, usual in SINCE:
         if content.get(part, {}).get(name) == usual:

@@ -23,6 +23,8 @@ ROOMS = {
     "tree": ("base", "mesh"),
     # the tool writes what it does to the tissue into a Load, and knows nothing of dynamics
     "contact": ("base", "mesh", "model", "response", "tree"),
+    # what two jaws touch and hold, by the contacts of each
+    "grasp": ("base", "contact"),
     "device": ("base",),
     "tick": (
         "base",
@@ -34,6 +36,7 @@ ROOMS = {
         "response",
         "tree",
         "contact",
+        "grasp",
         "device",
     ),
     "task": ("base", "mesh", "model", "contact", "device", "tick"),

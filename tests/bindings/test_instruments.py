@@ -5,6 +5,7 @@ import copy
 import json
 import pickle
 import runpy
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ import palpate
 import pytest
 from palpate import scenario
 from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.error import FileError
 from palpate.files.refusal import Refusal
 from palpate.render import build_instrument, build_shade, draw_picture, place_instrument
 from palpate.render.instrument import find_rotation, name_look
@@ -58,6 +60,94 @@ def test_a_file_keeps_capsules_and_trocar_to_the_bit_and_refuses_damaged_ones(tm
     scene.instruments[0].tool.capsules = [palpate.Capsule(to=(0.0, 0.0, 0.7))]
     with pytest.raises(ValueError, match=r"scene\.instruments\[0\]\.tool\.capsules: got 0\.7"):
         scenario.write(path, scenario.Scenario(scene=scene))
+
+
+def grasper_scene(**fields) -> palpate.Scene:
+    scene = probe_scene()
+    tool = scene.instruments[0].tool
+    tool.radius, tool.friction = 0.0012, 0.5
+    tool.capsules = [
+        palpate.Capsule(from_=(0.0, y, 0.0), to=(0.0, y, 0.02)) for y in (0.0012, -0.0012)
+    ]
+    tool.jaws = palpate.Jaws(**fields)
+    scene.instruments[0].tool = tool
+    return scene
+
+
+def numbers_of(jaws: palpate.Jaws) -> list:
+    return [*jaws.hinge, *jaws.axis, jaws.open, jaws.grip, jaws.pad_area]
+
+
+def test_jaws_are_values_that_a_file_keeps_to_the_bit(tmp_path):
+    scene = palpate.build_scene(grasper_scene(open=0.4, grip=3.0, hinge=(0.0, 0.0, 0.023)))
+    jaws = scene.instruments[0].tool.jaws
+    for same in (copy.deepcopy(jaws), pickle.loads(pickle.dumps(jaws))):
+        assert numbers_of(same) == numbers_of(jaws) != numbers_of(palpate.Jaws())
+    path = tmp_path / "grasper.palpate"
+    scenario.write(path, scenario.Scenario(scene=scene))
+
+    assert numbers_of(scenario.read(path).scene.instruments[0].tool.jaws) == numbers_of(jaws)
+    scene.instruments[0].tool.jaws = None
+    assert scene.instruments[0].tool.jaws is None
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "message"),
+    [
+        ("open", 2.0, r"tool\.jaws\.open \[rad\]: got 2, expected more than 0, up to pi/2"),
+        ("open", 0.0, r"tool\.jaws\.open"),
+        ("grip", -1.0, r"tool\.jaws\.grip \[N\]: got -1"),
+        ("pad_area", float("nan"), r"tool\.jaws\.pad_area"),
+        ("axis", (0.0, 0.0, 2.0), r"tool\.jaws\.axis: got 2, expected a unit vector"),
+        ("hinge", (0.0, 0.0, 0.7), r"tool\.jaws\.hinge \[m\]: got 0\.7"),
+    ],
+)
+def test_jaws_that_cannot_be_are_refused(field, value, message):
+    with pytest.raises(ValueError, match=message):
+        palpate.build_scene(grasper_scene(**{field: value}))
+
+
+def test_jaws_are_two_capsules():
+    scene = grasper_scene()
+    scene.instruments[0].tool.capsules = scene.instruments[0].tool.capsules[:1]
+    with pytest.raises(ValueError, match="a tool of two capsules, which are its jaws"):
+        palpate.build_scene(scene)
+
+
+@pytest.mark.parametrize("damage", ["grip", "open", "hinge"])
+def test_a_file_with_damaged_jaws_is_refused(tmp_path, damage):
+    path = tmp_path / "grasper.palpate"
+    scenario.write(path, scenario.Scenario(scene=palpate.build_scene(grasper_scene())))
+    names = zipfile.ZipFile(path).namelist()
+    parts = {name: zipfile.ZipFile(path).read(name) for name in names}
+    manifest = json.loads(parts["manifest.json"])
+    del manifest["content"]["scene"]["instruments"][0]["tool"]["jaws"][damage]
+    parts["manifest.json"] = json.dumps(manifest).encode()
+    with zipfile.ZipFile(path, "w") as damaged:
+        for name in names:
+            damaged.writestr(name, parts[name])
+
+    with pytest.raises(FileError, match=rf"jaws\.{damage}: got nothing"):
+        scenario.read(path)
+
+
+def test_a_button_closes_jaws_in_the_air_and_a_grip_axis_as_far_as_it_is():
+    scene = palpate.build_scene(grasper_scene())
+    world = palpate.World(scene)
+    far = (0.0, 0.0, 0.2)
+
+    def angle_after(ticks: int, **hand) -> float:
+        for _ in range(ticks):
+            sample = palpate.HapticSample(position=far, **hand)
+            assert list(palpate.tick(scene, sample, 1e-3, world).force) == [0.0, 0.0, 0.0]
+        return world.instruments[0].tool.jaw_angle
+
+    assert angle_after(3) == pytest.approx(0.52)
+    assert angle_after(20, buttons=palpate.ATTACH_BUTTON) == pytest.approx(0.52 - 0.2, abs=1e-9)
+    assert angle_after(60, buttons=palpate.ATTACH_BUTTON) == 0.0
+    assert angle_after(100, grip=0.3) == pytest.approx(0.22)
+    tool = world.instruments[0].tool
+    assert tool.pinch == tool.pad_pressure == 0.0 and not tool.has_hold()
 
 
 def test_a_ball_has_no_trocar():

@@ -196,8 +196,9 @@ def every_number() -> list[tuple[str, str, float]]:
 def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name, value):
     mesh = read_mesh_file(organ)
     base = replace(scene_of(organ), model=ModelPart(kind="molecular"))
-    if name == "trocar_height":  # only a shaft passes a trocar
-        base = replace(base, tool=replace(base.tool, length=0.02))
+    if name in ("trocar_height", "jaw_opening", "grip_force"):  # of a shaft, or of jaws on one
+        opening = 0.5 if name == "grip_force" else 0.0
+        base = replace(base, tool=replace(base.tool, length=0.02, jaw_opening=opening))
     changed = replace(base, **{part: replace(getattr(base, part), **{name: value})})
 
     def values(scene: SceneFile) -> list:
@@ -218,6 +219,7 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
             s.instruments[0].tool.stiffness,
             s.instruments[0].tool.friction,
             [list(capsule.to) for capsule in s.instruments[0].tool.capsules],
+            str(s.instruments[0].tool.jaws),
             None if s.instruments[0].trocar is None else list(s.instruments[0].trocar),
             s.instruments[0].coupling.stiffness,
             s.instruments[0].coupling.force_max,

@@ -168,5 +168,5 @@ def test_a_state_from_pickle_can_be_stepped():
 
 
 def test_a_damaged_pickle_is_refused():
-    with pytest.raises(ValueError, match="pickle: got 1 members, expected 4"):
+    with pytest.raises(ValueError, match="pickle: got 1 members, expected 5"):
         palpate.Tool.__new__(palpate.Tool).__setstate__((1.0,))

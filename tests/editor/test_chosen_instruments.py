@@ -59,6 +59,8 @@ def test_the_command_line_makes_an_instrument_and_refuses_what_has_no_effect(tmp
 def test_documents_of_before_have_balls_and_charts_of_them_keep_their_key():
     content, arrays = pack_organ(SPLEEN)
     content = json.loads(json.dumps(content))
+    del content["tool"]["jaw_opening"], content["tool"]["grip_force"]
+    assert unpack_organ(content, arrays, 15, "old.organ").tool == SPLEEN.tool
     del content["tool"]["length"], content["tool"]["trocar_height"]
     assert unpack_organ(content, arrays, 14, "old.organ").tool == SPLEEN.tool
 
@@ -80,6 +82,28 @@ def test_a_published_instrument_is_read_as_it_was_and_damage_is_refused(tmp_path
     assert read.trocar == pytest.approx(
         compile_organ(with_tool(0.02)).instruments[0].trocar, abs=1e-12
     )
+
+
+def test_a_jaw_opening_makes_a_grasper_and_what_has_none_closes_on_nothing(tmp_path, capsys):
+    scene = compile_organ(with_tool(0.02, radius=0.0012, jaw_opening=0.5, grip_force=4.0))
+    tool = scene.instruments[0].tool
+    assert [list(c.from_) for c in tool.capsules] == [[0, 0.0012, 0], [0, -0.0012, 0]]
+    assert tool.jaws.hinge[2] == pytest.approx(0.02 + 2 * 0.0012)
+    assert (tool.jaws.open, tool.jaws.grip) == (0.5, 4.0)
+    path = tmp_path / "grasper.palpate"
+    publish(with_tool(0.02, radius=0.0012, jaw_opening=0.5), path)
+    assert scenario.read(path).scene.instruments[0].tool.jaws.open == 0.5
+
+    source = tmp_path / "spleen.organ"
+    write_organ(source, SPLEEN)
+    assert main(["tool", str(source), "probe", "--grip-force", "3N"]) == 1
+    assert "what has no jaws closes on nothing" in capsys.readouterr().err
+    assert main(["tool", str(source), "--jaw-opening", "0.4"]) == 1
+    assert "a ball has no jaws" in capsys.readouterr().err
+    made = tmp_path / "grasper.organ"
+    assert main(["tool", str(source), "grasper", "-o", str(made)]) == 0
+    assert "two jaws of 1.2 mm, 20 mm long" in capsys.readouterr().out
+    assert read_organ(made).tool.jaw_opening == 0.52
 
 
 def test_the_truth_of_a_ball_is_not_given_for_an_instrument():

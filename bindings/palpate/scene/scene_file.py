@@ -42,6 +42,9 @@ from palpate.scene.tick_cost import LONGEST_TICK, count_affordable
 FORMAT, VERSION = "palpate scene", 2
 MOST_BYTES = 32 * 2**20
 """Of a scene file: a factor for each of a million vertices, written out, takes 20 MB."""
+HINGE_RADII, PAD_RADII = 2.0, 2.5
+"""Of a jaw: how far behind its end the hinge is, and how wide its pad. A grasper of 5 mm has jaws
+of 1.2 mm with pads of 3 mm (meshes/tools.toml)."""
 MOST_SUBSTEPS = 10_000
 """A tick: build_scene refuses more (core/sim/tick/scene.cpp)."""
 
@@ -210,9 +213,20 @@ def compile_scene(
 
 
 def build_tool(part: ToolPart) -> palpate.Tool:
-    """A ball, or one capsule from the tip along the shaft."""
+    """A ball, one capsule from the tip along the shaft, or two jaws of that length."""
     tool = palpate.Tool(radius=part.radius, stiffness=part.stiffness, friction=part.friction)
-    if part.length > 0.0:
+    if part.length > 0.0 and part.jaw_opening > 0.0:
+        tool.capsules = [
+            palpate.Capsule(from_=[0.0, side, 0.0], to=[0.0, side, part.length])
+            for side in (part.radius, -part.radius)
+        ]
+        tool.jaws = palpate.Jaws(
+            hinge=[0.0, 0.0, part.length + HINGE_RADII * part.radius],
+            open=part.jaw_opening,
+            grip=part.grip_force,
+            pad_area=PAD_RADII * part.radius * part.length,
+        )
+    elif part.length > 0.0:
         tool.capsules = [palpate.Capsule(to=[0.0, 0.0, part.length])]
     return tool
 

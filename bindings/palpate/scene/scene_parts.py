@@ -156,10 +156,15 @@ class ToolPart:
     """[-] Coulomb's coefficient between tip and tissue: 0.05 to 0.15 of smooth metal on wet serosa,
     0.3 to 0.8 of a profiled jaw; 0: it slides."""
     length: float = field(default=0.0, metadata={"since": 15})
-    """[m] of the shaft, from the tip's middle to the hand, that touches: a capsule; 0: a ball."""
+    """[m] of the shaft, from the tip's middle to the hand, that touches: a capsule; 0: a ball. Of
+    an instrument with jaws, their length."""
     trocar_height: float = field(default=0.15, metadata={"since": 15})
     """[m] over the highest point of the organ, above its middle: where the shaft passes the
     abdominal wall; 0: nowhere, the device turns the instrument."""
+    jaw_opening: float = field(default=0.0, metadata={"since": 16})
+    """[rad] by which each of two jaws opens at most; 0: what touches is rigid."""
+    grip_force: float = field(default=5.0, metadata={"since": 16})
+    """[N] with which each jaw closes at most, at its middle."""
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@
 
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/private/axes.h"
+#include "palpate/sim/contact/private/hold.h"
 #include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 
@@ -106,7 +107,12 @@ bool attach_tool(const Load& contacts, std::span<const Triangle> triangles, std:
   return true;
 }
 
-void release_tool(ToolState& state) noexcept { state.hold_count = 0; }
+void release_tool(ToolState& state) noexcept {
+  state.hold_count = state.anchor_count = 0;
+  state.held_load = 0.0;
+  state.pinches = false;
+  state.carried.setZero();
+}
 
 namespace {
 
@@ -130,17 +136,20 @@ double add_row_sums(const Triangle& t, const Vec3& weights, double stiffness,
 /// mu f along d, makes of n n^T the block (n + mu d) n^T of the norm sqrt(1 + mu²); friction that
 /// sticks hangs the hand's spring K on all points together, each with its share s of the tool's
 /// motion: K s w_i.
-double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
-                               std::span<const Triangle> triangles, std::span<const Vec3> x,
-                               std::span<const double> mass, const ToolState& state,
-                               std::span<double> scratch, int body, const NearField* near,
-                               double coupling) noexcept {
+double bound_shape_stiffness(const Shape& shape, bool with_holds, const Candidates& candidates,
+                             std::span<const Triangle> triangles, std::span<const Vec3> x,
+                             std::span<const double> mass, const ToolState& state,
+                             std::span<double> scratch, int body, const NearField* near,
+                             double coupling) noexcept {
   const std::span<const int> touchable(candidates.triangles.data(),
                                        static_cast<std::size_t>(candidates.count));
-  const std::span<const ToolState::Hold> holds(state.holds.data(),
-                                               static_cast<std::size_t>(state.hold_count));
-  const std::span<const ToolState::PatchPoint> patch(state.patch.data(),
-                                                     static_cast<std::size_t>(state.patch_count));
+  const Tool& tool = shape.tool;
+  const auto in_use = [&](const auto& rows, int count) noexcept {
+    return std::span(rows).first(with_holds ? static_cast<std::size_t>(count) : 0);
+  };
+  const auto holds = in_use(state.holds, state.hold_count);
+  const auto patch = in_use(state.patch, state.patch_count);
+  const auto anchors = in_use(state.anchors, state.anchor_count);
   const double sliding = std::sqrt(1.0 + tool.friction * tool.friction);
   const auto triangle = [&](int t) noexcept -> const Triangle& {
     return triangles[static_cast<std::size_t>(t)];
@@ -159,6 +168,10 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
     if (point.body != body) continue;
     for (const int i : triangle(point.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
   }
+  for (const ToolState::Anchor& anchor : anchors) {
+    if (anchor.body != body) continue;
+    for (const int i : triangle(anchor.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
+  }
   double largest = 0.0;
   // what balance_tool has found where the tool and the tissue still are
   const Vec3 at =
@@ -171,7 +184,6 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                              sliding * slope, mass, scratch));
   }
   Contact contact;
-  const Shape shape{tool, Axes(tool, state.orientation)};
   for (std::size_t i = 0; !is_found && i < touchable.size(); ++i) {
     const Triangle& t = triangle(touchable[i]);
     const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
@@ -195,7 +207,21 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
     largest = std::max(largest, add_row_sums(triangle(point.triangle), point.weights,
                                              coupling * point.share, mass, scratch));
   }
+  for (const ToolState::Anchor& anchor : anchors) {
+    if (anchor.body != body) continue;
+    largest = std::max(largest, add_row_sums(triangle(anchor.triangle), anchor.weights,
+                                             anchor.stiffness, mass, scratch));
+  }
   return largest;
+}
+
+double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
+                               std::span<const Triangle> triangles, std::span<const Vec3> x,
+                               std::span<const double> mass, const ToolState& state,
+                               std::span<double> scratch, int body, const NearField* near,
+                               double coupling) noexcept {
+  return bound_shape_stiffness({tool, Axes(tool, state.orientation)}, true, candidates, triangles,
+                               x, mass, state, scratch, body, near, coupling);
 }
 
 }  // namespace palpate

@@ -264,7 +264,7 @@ Vec3 write_pushes(const Surroundings& around, const Vec3& pull, ToolState& state
 /// into contact. ToolState::residual is that difference.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
                   std::span<const TouchedSurface> surfaces, ToolState& state) noexcept {
-  const Surroundings around{{tool, Axes(tool, state.orientation)},
+  const Surroundings around{{tool, Axes(tool, state.orientation, state.jaw_angle)},
                             surfaces,
                             {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
   bool near = state.hold_count > 0;

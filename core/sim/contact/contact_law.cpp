@@ -127,9 +127,18 @@ bool find_capsule_contact(const Tool& tool, double rest_area, const Vec3& from, 
   return fill_contact(tool, rest_area, arm, closest, (b - a).cross(c - a), contact);
 }
 
-Axes::Axes(const Tool& tool, const Quaternion& orientation) noexcept {
-  for (const Capsule& capsule : tool.capsules) {
-    if (count == kMostCapsules) return;
+Capsule open_jaw(const Tool& tool, std::size_t capsule, double angle) noexcept {
+  const Capsule& closed = tool.capsules[capsule];
+  if (!tool.jaws || angle == 0.0) return closed;
+  const Jaws& jaws = *tool.jaws;
+  const Eigen::AngleAxisd turn(capsule == 0 ? angle : -angle, jaws.axis);
+  return {jaws.hinge + turn * (closed.from - jaws.hinge),
+          jaws.hinge + turn * (closed.to - jaws.hinge)};
+}
+
+Axes::Axes(const Tool& tool, const Quaternion& orientation, double jaw_angle) noexcept {
+  for (std::size_t c = 0; c < tool.capsules.size() && count < kMostCapsules; ++c) {
+    const Capsule capsule = open_jaw(tool, c, jaw_angle);
     capsules[static_cast<std::size_t>(count++)] = {orientation * capsule.from,
                                                    orientation * capsule.to};
   }

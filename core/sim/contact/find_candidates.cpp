@@ -9,16 +9,15 @@
 
 namespace palpate {
 
-Sweep::Sweep(const Tool& tool, const Quaternion& orientation, const Vec3& tool_position,
+Sweep::Sweep(const Tool& tool, const Axes& axes, const Vec3& tool_position,
              const Vec3& hand_position) noexcept {
-  if (tool.capsules.empty()) {
+  if (axes.count == 0) {
     parts[0] = {tool_position, hand_position, tool.radius};
     count = 1;
     return;
   }
   const Vec3 middle = 0.5 * (tool_position + hand_position);
   const double half = 0.5 * (hand_position - tool_position).norm();
-  const Axes axes(tool, orientation);
   for (const Capsule& axis : axes.list()) {
     parts[static_cast<std::size_t>(count++)] = {middle + axis.from, middle + axis.to,
                                                 tool.radius + half};
@@ -28,8 +27,14 @@ Sweep::Sweep(const Tool& tool, const Quaternion& orientation, const Vec3& tool_p
 void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,
                      const Vec3& tool_position, const Vec3& hand_position,
                      std::span<const double> rest_areas, Candidates& candidates,
-                     const Quaternion& orientation) noexcept {
-  const Sweep sweep(tool, orientation, tool_position, hand_position);
+                     const Quaternion& orientation, double jaw_angle) noexcept {
+  find_candidates(tree, x, {tool, Axes(tool, orientation, jaw_angle), tool_position, hand_position},
+                  tool_position, hand_position, rest_areas, candidates);
+}
+
+void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Sweep& sweep,
+                     const Vec3& tool_position, const Vec3& hand_position,
+                     std::span<const double> rest_areas, Candidates& candidates) noexcept {
   std::size_t found = 0;
   for (const SweptPart& part : sweep.list()) {
     const auto rest = std::span(candidates.triangles).subspan(found);

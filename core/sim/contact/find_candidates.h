@@ -130,11 +130,13 @@ static_assert(alignof(Candidates) == 8);
 inline constexpr double kCandidateMargin = 1.2e-3;
 
 /// Finds every triangle within radius + kCandidateMargin of the path of the tool from its last
-/// position to where the hand is now, turned as it is. Once per tick; the contacts themselves are
-/// found in every substep. `rest_areas` [m²] per triangle of the tissue.
+/// position to where the hand is now, turned as it is, with jaws open by `jaw_angle` [rad]. Once
+/// per tick; the contacts themselves are found in every substep. `rest_areas` [m²] per triangle of
+/// the tissue.
 void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,
                      const Vec3& tool_position, const Vec3& hand_position,
                      std::span<const double> rest_areas, Candidates& candidates,
-                     const Quaternion& orientation = Quaternion::Identity()) noexcept;
+                     const Quaternion& orientation = Quaternion::Identity(),
+                     double jaw_angle = 0.0) noexcept;
 
 }  // namespace palpate

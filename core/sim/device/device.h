@@ -14,8 +14,8 @@ struct HapticSample {
   Vec3 position = Vec3::Zero();                     ///< [m]
   Quaternion orientation = Quaternion::Identity();  ///< unit
   Vec3 velocity = Vec3::Zero();                     ///< [m/s]
-  std::uint8_t buttons = 0;                         ///< bit 0: attach while held
-  double grip = 0.0;                                ///< [rad]
+  std::uint8_t buttons = 0;  ///< bit 0: attach while held; of a tool with jaws, close them
+  double grip = 0.0;         ///< [rad] by which a grip axis has closed each jaw, 0: open
 };
 static_assert(sizeof(HapticSample) == 104 && alignof(HapticSample) == 8);
 

@@ -184,6 +184,15 @@ void Loop::Impl::run() noexcept {
 
 /// A due time that passes while an earlier tick is still at work is skipped, so the thread never
 /// hurries after the clock and always comes to sleep.
+namespace {
+
+/// What follows a tool: places that it is fastened to, or that both its jaws stick to.
+int count_held(const ToolState& tool) noexcept {
+  return tool.hold_count > 0 ? tool.hold_count : tool.pinches ? tool.anchor_count : 0;
+}
+
+}  // namespace
+
 void Loop::Impl::run_ticks() noexcept {
   const std::int64_t end = options.duration > 0.0 ? ticks_in(options.duration, scene.rate)
                                                   : std::numeric_limits<std::int64_t>::max();
@@ -243,7 +252,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   const std::int64_t begun = read_clock();
   const long number = world.tick_count;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    held[i] = world.instruments[i].tool.hold_count;
+    held[i] = count_held(world.instruments[i].tool);
     samples[i] = channels[i]->safe().read(double(index) * dt);
   }
   if (tissue) {
@@ -323,7 +332,7 @@ void Loop::Impl::keep() noexcept {
 
 void Loop::Impl::notice_holds(long number) noexcept {
   for (std::size_t i = 0; i < held.size(); ++i) {
-    const int now = world.instruments[i].tool.hold_count;
+    const int now = count_held(world.instruments[i].tool);
     const auto instrument = static_cast<std::int32_t>(i);
     if (held[i] == 0 && now > 0) tell(number, EventKind::attached, now, 0.0, instrument);
     if (held[i] > 0 && now == 0) tell(number, EventKind::released, held[i], 0.0, instrument);

@@ -32,6 +32,10 @@ struct InstrumentSnapshot {
   Quaternion tool_orientation = Quaternion::Identity();  ///< unit, of the tool's frame
   Vec3 force = Vec3::Zero();  ///< [N] on the hand; none while the motors are not on
   bool touching = false;
+  double jaw_angle = 0.0;              ///< [rad] by which each of its jaws is open
+  double pinch = 0.0;                  ///< [N] that each of them presses with
+  double pad_pressure = 0.0;           ///< [Pa] of that
+  Vec3 carried = Vec3::Zero();         ///< [N] on the tool, of what its jaws hold
   MotorState motors = MotorState::on;  ///< of the device
   long interventions = 0;              ///< of its passivity controller, so far
 };

@@ -20,8 +20,16 @@ std::span<const ToolState::Hold> list_holds(const ToolState& tool) noexcept {
   return {tool.holds.data(), static_cast<std::size_t>(tool.hold_count)};
 }
 
+std::span<const ToolState::Anchor> list_anchors(const ToolState& tool) noexcept {
+  return {tool.anchors.data(), static_cast<std::size_t>(tool.anchor_count)};
+}
+
+/// Pushes of a load that are no contact's: of holds, or of what sticks to jaws.
 std::size_t count_holds(const ToolState& tool, std::size_t body) noexcept {
   std::size_t count = 0;
+  for (const ToolState::Anchor& anchor : list_anchors(tool)) {
+    count += std::size_t(anchor.body) == body;
+  }
   for (const ToolState::Hold& hold : list_holds(tool)) count += std::size_t(hold.body) == body;
   return count;
 }
@@ -112,6 +120,27 @@ void find_hold(const Task& task, const World& world, std::size_t instrument,
   if (stiffness > 0.0) measures.displacement = now / stiffness - measures.hold.at_rest;
 }
 
+/// Where tissue sticks to both jaws, and how far that has been moved.
+void find_pinched(const Task& task, const World& world, std::size_t instrument,
+                  Measures& measures) noexcept {
+  const ToolState& tool = world.instruments[instrument].tool;
+  Mean mean(task, measures.hold);
+  Vec3 now = Vec3::Zero();
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    const std::span<const Vec3> x = surface_position(world.bodies[b]);
+    for (const ToolState::Anchor& anchor : list_anchors(tool)) {
+      if (std::size_t(anchor.body) != b) continue;
+      const Triangle& t = task.surfaces[b].triangles[static_cast<std::size_t>(anchor.triangle)];
+      mean.add(b, anchor.triangle, anchor.weights, anchor.stiffness);
+      now += anchor.stiffness * compute_point(t, anchor.weights, x);
+    }
+    mean.end_body(b);
+  }
+  const double stiffness = measures.hold.weight;
+  mean.end();
+  if (stiffness > 0.0) measures.displacement = now / stiffness - measures.hold.at_rest;
+}
+
 /// Force rate and speed over the history, which this tick is taken into.
 void follow_history(double force, const Vec3& position, std::int64_t tick, double dt,
                     JudgeSignals& signals, Measures& measures) noexcept {
@@ -161,6 +190,7 @@ Measures measure_instrument(const Task& task, const World& world, std::size_t in
   signals.buttons = sample.buttons;
   if (tool.touching) find_contact(task, world, instrument, measures.contact);
   if (tool.hold_count > 0) find_hold(task, world, instrument, measures);
+  if (tool.pinches) find_pinched(task, world, instrument, measures);
   if (measures.contact.weight > 0.0) {
     const Vec3 from_rest = tool.position - measures.contact.at_rest;
     measures.depth = radius - from_rest.dot(measures.contact.normal);
@@ -192,6 +222,11 @@ double find_hold_share(const Task& task, const World& world, std::size_t instrum
     if (hold.body != place.body) continue;
     const Triangle& t = task.surfaces[body].triangles[static_cast<std::size_t>(hold.triangle)];
     stiffness += hold.stiffness * find_member_share(place, t, hold.weights);
+  }
+  for (const ToolState::Anchor& anchor : list_anchors(world.instruments[instrument].tool)) {
+    if (anchor.body != place.body) continue;
+    const Triangle& t = task.surfaces[body].triangles[static_cast<std::size_t>(anchor.triangle)];
+    stiffness += anchor.stiffness * find_member_share(place, t, anchor.weights);
   }
   return stiffness / measures.hold.weight;
 }

@@ -83,6 +83,22 @@ void add_patch(const ToolState& tool, Hash& hash) noexcept {
   if (tool.patch_count > 0) hash.add(tool.patch_position);
 }
 
+/// So has one without jaws.
+void add_jaws(const ToolState& tool, Hash& hash) noexcept {
+  if (tool.grip_limit == 0.0) return;
+  hash.add(tool.jaw_angle);
+  hash.add(tool.jaw_wanted);
+  hash.add(tool.grip_limit);
+  for (int k = 0; k < tool.anchor_count; ++k) {
+    const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
+    hash.add(static_cast<std::uint64_t>(anchor.body));
+    hash.add(static_cast<std::uint64_t>(anchor.triangle));
+    hash.add(static_cast<std::uint64_t>(anchor.jaw));
+    hash.add(anchor.weights);
+    hash.add(anchor.place);
+  }
+}
+
 }  // namespace
 
 std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
@@ -104,6 +120,7 @@ std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
     add_holds(instrument.tool, world.bodies.size() > 1, hash);
     add_orientation(instrument.tool, hash);
     add_patch(instrument.tool, hash);
+    add_jaws(instrument.tool, hash);
   }
   return hash.finish();
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/tick/private/world_internals.h"
 #include "palpate/sim/tick/tick.h"
 #include "palpate/sim/tree/queries.h"
@@ -43,11 +44,11 @@ bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_po
 
 /// Capsules have room where both ends have, and no surface lies between them.
 bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
-              const Tool& tool, const Quaternion& orientation) noexcept {
+              const Tool& tool, const Quaternion& orientation, double jaw_angle) noexcept {
   if (tool.capsules.empty()) return has_room(tree, x, hand_position, tool.radius);
-  return std::ranges::all_of(tool.capsules, [&](const Capsule& capsule) noexcept {
-    const Vec3 from = hand_position + orientation * capsule.from;
-    const Vec3 to = hand_position + orientation * capsule.to;
+  const Axes axes(tool, orientation, jaw_angle);
+  return std::ranges::all_of(axes.list(), [&](const Capsule& axis) noexcept {
+    const Vec3 from = hand_position + axis.from, to = hand_position + axis.to;
     return !find_segment_hit(tree, x, from, to) && has_room(tree, x, from, tool.radius) &&
            has_room(tree, x, to, tool.radius);
   });
@@ -91,6 +92,12 @@ Quaternion point_through(const Vec3& trocar, const Quaternion& hand,
   return swing * take_roll(hand);
 }
 
+/// [m] No farther from the position is a point of a capsule, however far jaws are open.
+double bound_reach(const Tool& tool, const Vec3& point) noexcept {
+  if (!tool.jaws) return point.norm();
+  return tool.jaws->hinge.norm() + (point - tool.jaws->hinge).norm();
+}
+
 }  // namespace
 
 void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt,
@@ -107,7 +114,7 @@ void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt,
   }
   double reach = tool.radius;
   for (const Capsule& capsule : tool.capsules) {
-    reach = std::max({reach, capsule.from.norm(), capsule.to.norm()});
+    reach = std::max({reach, bound_reach(tool, capsule.from), bound_reach(tool, capsule.to)});
   }
   double most = kTurnInRadii * tool.radius / reach;
   if (state.torque.norm() > kFreeTorque) most = std::min(most, kFastestTurn * dt);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -93,6 +94,28 @@ void check_capsules(const Tool& tool, const Place& place) {
   }
 }
 
+/// The hinge lies no farther than capsules may, and jaws open no wider than a right angle.
+void check_jaws(const Tool& tool, const Place& place) {
+  if (!tool.jaws) return;
+  constexpr double kWidest = 0.5 * std::numbers::pi, kRounding = 1e-6;
+  const Jaws& jaws = *tool.jaws;
+  if (tool.capsules.size() != 2) {
+    refuse(place("tool.jaws"), static_cast<double>(tool.capsules.size()),
+           "a tool of two capsules, which are its jaws");
+  }
+  if (!jaws.hinge.allFinite() || jaws.hinge.norm() > kFarthestCapsule) {
+    refuse(place("tool.jaws.hinge [m]"), jaws.hinge.norm(), "within 0.5 m of the tool's position");
+  }
+  if (!(std::abs(jaws.axis.norm() - 1.0) <= kRounding)) {
+    refuse(place("tool.jaws.axis"), jaws.axis.norm(), "a unit vector");
+  }
+  if (!(jaws.open > 0.0 && jaws.open <= kWidest)) {
+    refuse(place("tool.jaws.open [rad]"), jaws.open, "more than 0, up to pi/2");
+  }
+  require_positive(place("tool.jaws.grip [N]"), jaws.grip);
+  require_positive(place("tool.jaws.pad_area [m^2]"), jaws.pad_area);
+}
+
 void check_trocar(const Instrument& instrument, const Place& place) {
   if (!instrument.trocar) return;
   const double far = instrument.trocar->norm();
@@ -102,18 +125,16 @@ void check_trocar(const Instrument& instrument, const Place& place) {
   }
 }
 
-/// The near field is that of a ball, or of one capsule in a solid; parts of a tissue sleep around a
-/// ball.
+/// The near field is that of a ball, or of one capsule in a solid, as each jaw is; parts of a
+/// tissue sleep around a ball.
 void check_shape_in(const SoftBody& body, const Place& place, const Tool& tool) {
   if (body.force_error > 0.0) {
     refuse(place("force_error [N]"), body.force_error,
            "0 for an instrument of capsules: how wrong sleep makes a force is known of balls");
   }
   if (body.contact_modulus == 0.0) return;
-  if (!body.tissue.prisms.corners.empty()) {
-    refuse(place("contact_modulus [Pa]"), body.contact_modulus,
-           "0, the hard law, for an instrument of capsules: the near field of a wall is a ball's");
-  }
+  // capsules feel a wall by the hard law
+  if (!body.tissue.prisms.corners.empty()) return;
   if (body.contact_facets) {
     refuse(place("contact_facets"), 1.0,
            "false for an instrument of capsules: how curved facets are is felt by balls");
@@ -122,7 +143,7 @@ void check_shape_in(const SoftBody& body, const Place& place, const Tool& tool) 
     refuse(place("tied_holds"), 1.0,
            "false for an instrument of capsules: what is tied is the disc under a ball");
   }
-  if (tool.capsules.size() > 1) {
+  if (tool.capsules.size() > 1 && !tool.jaws) {
     refuse(place("contact_modulus [Pa]"), body.contact_modulus,
            "0, the hard law, for an instrument of several capsules: the near field is of one");
   }
@@ -148,6 +169,7 @@ void validate(const Instrument& instrument, const Place& place) {
     refuse(place("tool.friction [-]"), instrument.tool.friction, "0, or a positive number");
   }
   check_capsules(instrument.tool, place);
+  check_jaws(instrument.tool, place);
   require_positive(place("coupling.stiffness [N/m]"), instrument.coupling.stiffness);
   require_positive(place("coupling.force_max [N]"), instrument.coupling.force_max);
   require_positive(place("hold_stiffness [N/m]"), instrument.hold_stiffness);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "palpate/sim/contact/private/hold.h"
+#include "palpate/sim/grasp/private/jaws.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/check_input.h"
@@ -61,9 +62,20 @@ bool place_among_bodies(const Vec3& hand, const Tool& tool, const World& world,
   if (state.placed) return true;
   state.position = hand;
   state.placed = std::ranges::all_of(world.bodies, [&](const SoftState& body) noexcept {
-    return has_room(body.tree, surface_position(body), hand, tool, state.orientation);
+    return has_room(body.tree, surface_position(body), hand, tool, state.orientation,
+                    state.jaw_angle);
   });
   return state.placed;
+}
+
+/// [J] No less than an instrument can give to tissue before its hand moves again.
+double bound_energy(const Scene& scene, std::size_t i, const Vec3& hand, World& world) noexcept {
+  const Instrument& instrument = scene.instruments[i];
+  const ToolState& tool = world.instruments[i].tool;
+  const double springs = bound_stored_energy(instrument.tool, instrument.coupling, hand, tool,
+                                             list_surfaces(scene, i, world));
+  if (!instrument.tool.jaws) return springs;
+  return springs + 2.0 * tool.grip_limit * measure_arm(instrument.tool) * kMostTurnInTick;
 }
 
 /// Draws a tool to its hand, finds what it may touch on the path there, and follows the button.
@@ -79,19 +91,18 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
   Stopwatch watch(world.measures_costs);
   if (!was_placed) state.tool.position = motion.hand;
   turn_tool(instrument, sample.orientation, dt, state.tool);
+  follow_jaws(scene, i, sample, dt, world);
   if (place_among_bodies(motion.hand, instrument.tool, world, state.tool)) {
     watch.add_to(world.costs.instruments[i].read);
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
       find_touchable(scene, i, b, motion.hand, world);
       watch.add_to(world.costs.pairs[i * world.bodies.size() + b].candidates);
     }
-    follow_button(scene, i, sample.buttons, dt, world);
+    if (!instrument.tool.jaws) follow_button(scene, i, sample.buttons, dt, world);
   }
   // a tool that has just appeared may touch already, and nothing is known of what that stores
-  motion.stored_energy =
-      was_placed ? bound_stored_energy(instrument.tool, instrument.coupling, motion.hand,
-                                       state.tool, list_surfaces(scene, i, world))
-                 : std::numeric_limits<double>::infinity();
+  motion.stored_energy = was_placed ? bound_energy(scene, i, motion.hand, world)
+                                    : std::numeric_limits<double>::infinity();
   state.hand = motion.hand;
   watch.add_to(world.costs.instruments[i].read);
 }
@@ -102,6 +113,7 @@ void note_balance(double seconds, std::size_t instrument, World& world) noexcept
   const ToolState& tool = world.instruments[instrument].tool;
   const auto weigh = [&](std::size_t body) noexcept {
     double weight = world.pair(instrument, body).candidates.count;
+    weight += second_jaw(world, instrument, body).count;
     for (int h = 0; h < tool.hold_count; ++h) {
       const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
       if (hold.body == static_cast<int>(body)) weight += 1.0;
@@ -126,8 +138,11 @@ void balance_instruments(const Scene& scene, World& world) noexcept {
     ToolState& tool = world.instruments[i].tool;
     if (!tool.placed) continue;
     HandMotion& motion = workspace(world).hands[i];
-    motion.felt += balance_tool(scene.instruments[i].tool, scene.instruments[i].coupling,
-                                motion.hand, list_surfaces(scene, i, world), tool);
+    const Instrument& its = scene.instruments[i];
+    motion.felt += its.tool.jaws ? balance_jaws(its.tool, its.coupling, motion.hand,
+                                                list_jaw_surfaces(scene, i, world), tool)
+                                 : balance_tool(its.tool, its.coupling, motion.hand,
+                                                list_surfaces(scene, i, world), tool);
     if (watch.on()) note_balance(watch.lap(), i, world);
   }
 }
@@ -320,7 +335,7 @@ Felt compute_felt(const HapticCommand& command, const World& world,
   felt.force = command.force.cast<float>();
   felt.position = tool.position.cast<float>();
   felt.touched = static_cast<std::uint8_t>((tool.touching ? kTouching : 0) |
-                                           (tool.hold_count > 0 ? kAttached : 0));
+                                           (tool.has_hold() ? kAttached : 0));
   return felt;
 }
 

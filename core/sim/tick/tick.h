@@ -26,9 +26,9 @@ bool place_tool(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_
 bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
               double radius) noexcept;
 
-/// The same for a tool of any shape that is held so.
+/// The same for a tool of any shape that is held so, with jaws open by `jaw_angle` [rad].
 bool has_room(const AabbTree& tree, std::span<const Vec3> x, const Vec3& hand_position,
-              const Tool& tool, const Quaternion& orientation) noexcept;
+              const Tool& tool, const Quaternion& orientation, double jaw_angle = 0.0) noexcept;
 
 /// How often the surface goes round `p`: 1 inside of a closed surface, 0 outside, and for an open
 /// one what is in between: the share of all directions from `p` that the surface covers.
@@ -42,7 +42,7 @@ double compute_winding_number(std::span<const Triangle> triangles, std::span<con
 ///
 /// A tool is drawn to its hand, which is followed at up to 3 m/s. It appears there with the first
 /// sample outside all tissue (place_tool). Pressing the attach button fastens it to what it
-/// touched last, letting go releases it.
+/// touched last, letting go releases it; a tool with jaws closes them while it is pressed.
 ///
 /// What cannot be used is an alarm too (check_input.h). After an alarm the tissue stands still as
 /// it was before the tick that raised it, and the forces fade from those of the tick before to zero

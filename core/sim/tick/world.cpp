@@ -76,6 +76,19 @@ std::size_t count_most_capsules(const Scene& scene) noexcept {
   return most;
 }
 
+/// Every triangle may be touched and held at once, by each of two jaws.
+int count_pushes(const Tool& tool, int triangles) noexcept {
+  return (tool.jaws ? 4 : 2) * triangles;
+}
+
+int count_pushes(const Scene& scene, const SoftBody& body) noexcept {
+  int count = 0;
+  for (const Instrument& each : scene.instruments) {
+    count += count_pushes(each.tool, count_triangles(body));
+  }
+  return count;
+}
+
 int count_triangles(const Scene& scene) noexcept {
   int count = 0;
   for (const SoftBody& body : scene.bodies) count += count_triangles(body);
@@ -149,7 +162,7 @@ SoftState::SoftState(const Scene& scene, const SoftBody& body)
       skin(body.tissue.skin.corners.size()),
       tree(compute_surface(body.tissue, body.tissue.rest_position), body.tissue.triangles),
       guard(body.tissue, scene.gravity, tissue),
-      load(2 * count_triangles(body) * static_cast<int>(scene.instruments.size())),
+      load(count_pushes(scene, body)),
       substeps(body.substeps) {
   load.gravity = scene.gravity;
   move_skin(body.tissue.skin, tissue.position, skin);
@@ -161,15 +174,22 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
   for (const SoftBody& body : scene.bodies) bodies.emplace_back(scene, body);
   for (const Instrument& instrument : scene.instruments) {
     const int count = count_triangles(scene);
-    const int patch = instrument.tool.friction > 0.0 ? count : 0;
-    instruments.push_back(InstrumentState{.tool = ToolState(count, patch)});
+    const bool rubs = instrument.tool.friction > 0.0, has_jaws = instrument.tool.jaws.has_value();
+    const int patch = rubs && !has_jaws ? count : 0, anchors = rubs && has_jaws ? 2 * count : 0;
+    instruments.push_back(InstrumentState{.tool = ToolState(count, patch, anchors)});
+    if (!has_jaws) continue;
+    ToolState& tool = instruments.back().tool;
+    tool.jaw_angle = tool.jaw_wanted = instrument.tool.jaws->open;
+    tool.grip_limit = instrument.tool.jaws->grip;
   }
   pairs.reserve(instruments.size() * bodies.size());
   for (std::size_t i = 0; i < instruments.size(); ++i) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const int count = count_triangles(scene.bodies[b]);
-      const auto capsules = static_cast<int>(scene.instruments[i].tool.capsules.size());
-      pairs.push_back({Candidates(count, capsules), Load(2 * count)});
+      const Tool& tool = scene.instruments[i].tool;
+      // of jaws each has candidates of its own
+      const int capsules = tool.jaws ? 1 : static_cast<int>(tool.capsules.size());
+      pairs.push_back({Candidates(count, capsules), Load(count_pushes(tool, count))});
       if (const PackedKernel* packed = find_packed(bodies[b])) {
         pairs.back().candidates.lanes = ContactLanes(count, simd_target(*packed->model), capsules);
       }
@@ -183,19 +203,27 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
   costs.instruments.resize(instruments.size());
   costs.pairs.resize(pairs.size());
   workspace_ = Owned(TickBuffers(*this));
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const bool has_jaws = scene.instruments[p / bodies.size()].tool.jaws.has_value();
+    if (has_jaws) workspace(*this).second[p] = pairs[p].candidates;
+  }
 }
 
 TickBuffers::TickBuffers(const World& world)
     : instruments(world.instruments.size()),
       near(world.pairs.size()),
+      second(world.pairs.size()),
+      second_near(world.pairs.size()),
       hands(world.instruments.size()),
       surfaces(world.bodies.size()),
+      second_surfaces(world.bodies.size()),
       others(world.bodies.size() * world.instruments.size()),
       work(world.bodies.size(), 0.0),
       wanted(world.bodies.size(), 1),
       cost(world.bodies.size(), 0.0) {
   for (std::size_t i = 0; i < instruments.size(); ++i) {
     instruments[i].patch = world.instruments[i].tool.patch;
+    instruments[i].anchors = world.instruments[i].tool.anchors;
   }
 }
 
@@ -210,11 +238,31 @@ std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t in
     for (std::size_t i = 0, at = b * count; i <= count; ++i) {
       if (i != instrument) others[at++] = &world.pair(i, b).candidates.near;
     }
-    surfaces[b] = {
-        &pair.candidates, scene.bodies[b].tissue.triangles, surface_position(world.bodies[b]),
-        &pair.load,       scene.bodies[b].near_field.get(), {from, count}};
+    const SoftBody& body = scene.bodies[b];
+    surfaces[b] = {&pair.candidates,
+                   body.tissue.triangles,
+                   surface_position(world.bodies[b]),
+                   &pair.load,
+                   find_near_field(scene.instruments[instrument].tool, body),
+                   {from, count}};
+    if (body.near_field) {
+      surfaces[b].wall_thickness = body.near_field->wall_thickness;
+      surfaces[b].wall_modulus = body.near_field->modulus;
+    }
   }
   return surfaces;
+}
+
+std::array<std::span<const TouchedSurface>, 2> list_jaw_surfaces(const Scene& scene,
+                                                                 std::size_t instrument,
+                                                                 World& world) noexcept {
+  const std::span<const TouchedSurface> first = list_surfaces(scene, instrument, world);
+  std::vector<TouchedSurface>& surfaces = workspace(world).second_surfaces;
+  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+    surfaces[b] = first[b];
+    surfaces[b].candidates = &second_jaw(world, instrument, b);
+  }
+  return {first, surfaces};
 }
 
 template <class Hidden>

@@ -82,11 +82,12 @@ static_assert(alignof(RigidState) == 8);
 
 /// An instrument of a running scene, and the hand that moves it.
 struct InstrumentState {
-  Vec3 hand = Vec3::Zero();        ///< [m] where the tool is drawn to (read_hands)
-  ToolState tool;                  ///< (read_hands, follow_button, balance_instruments)
-  bool attach_pressed = false;     ///< (follow_button)
-  int release_ticks = 0;           ///< until a hold that fades is gone; 0 without (follow_button)
-  double release_load = 0.0;       ///< [N] of the fading holds when they began to (follow_button)
+  Vec3 hand = Vec3::Zero();     ///< [m] where the tool is drawn to (read_hands)
+  ToolState tool;               ///< (read_hands, follow_button, balance_instruments)
+  bool attach_pressed = false;  ///< (follow_button)
+  bool opens = false;           ///< its jaws open by themselves, until the hand has (follow_jaws)
+  int release_ticks = 0;        ///< until a hold that fades is gone; 0 without (follow_button)
+  double release_load = 0.0;    ///< [N] of the fading holds when they began to (follow_button)
   Vec3 last_force = Vec3::Zero();  ///< [N] of the last tick (tick, fade_out)
   Vec3 fade_from = Vec3::Zero();   ///< [N] the force before the alarm (fade_out)
 };

@@ -126,6 +126,10 @@ MOST_LENGTH = 0.05
 organ, and the time of a tick."""
 MOST_TROCAR_HEIGHT = 0.3
 """[m] Instruments for the abdomen are 0.33 m long."""
+MOST_JAW_OPENING = 1.0
+"""[rad] Of each jaw: two at a right angle and more hold nothing."""
+MOST_GRIP_FORCE = 40.0
+"""[N] Pinches of 15 to 37 N harm bowel [Heijnsdijk04]; no surgeon closes a grasper harder."""
 MOST_SUBSTEPS = 1000
 """Of a tick. More take longer than a tick does on any machine."""
 
@@ -286,6 +290,17 @@ CONSTANTS = (
         above=False,
         most=MOST_TROCAR_HEIGHT,
     ),
+    Constant(
+        "tool",
+        "jaw_opening",
+        "Jaw opening",
+        "rad",
+        "--jaw-opening",
+        "",
+        above=False,
+        most=MOST_JAW_OPENING,
+    ),
+    Constant("tool", "grip_force", "Grip force", "N", "--grip-force", "N", most=MOST_GRIP_FORCE),
     Constant("hand", "coupling", "Hand coupling", "N/m", "--coupling", "N/m"),
     Constant("hand", "force_max", "Largest force", "N", "--force-max", "N"),
     Constant("hand", "hold_stiffness", "Grip stiffness", "N/m", "--grip", "N/m"),

@@ -57,7 +57,23 @@ def find_idle(constant: Constant, organ: Organ) -> Idle | None:
             "--tool-length above 0 with it",
             phrase("It counts where the length that touches is above 0."),
         )
+    if constant.key == "tool.jaw_opening" and organ.tool.length == 0.0:
+        return Idle(
+            phrase("a ball has no jaws"),
+            "--tool-length above 0 with it",
+            phrase("It counts where the length that touches is above 0."),
+        )
+    if constant.key == "tool.grip_force" and not has_jaws(organ):
+        return Idle(
+            phrase("what has no jaws closes on nothing"),
+            "--jaw-opening above 0 with it",
+            phrase("It counts where jaws open."),
+        )
     return find_idle_modulus(constant, organ) if constant.key in ELASTIC else None
+
+
+def has_jaws(organ: Organ) -> bool:
+    return organ.tool.length > 0.0 and organ.tool.jaw_opening > 0.0
 
 
 def find_idle_in_kind(constant: Constant, kind: str) -> Idle:

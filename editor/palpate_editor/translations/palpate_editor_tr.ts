@@ -3605,6 +3605,14 @@ Beklenen: {expected}.</translation>
         <source>Trocar height</source>
         <translation>Trokar yüksekliği</translation>
     </message>
+    <message>
+        <source>Jaw opening</source>
+        <translation>Çene açıklığı</translation>
+    </message>
+    <message>
+        <source>Grip force</source>
+        <translation>Kavrama kuvveti</translation>
+    </message>
 </context>
 <context>
     <name>edits</name>
@@ -4782,6 +4790,18 @@ Beklenen: {expected}.</translation>
     <message>
         <source>It counts where the length that touches is above 0.</source>
         <translation>Dokunan uzunluk 0'dan büyükse geçerlidir.</translation>
+    </message>
+    <message>
+        <source>a ball has no jaws</source>
+        <translation>kürenin çenesi yoktur</translation>
+    </message>
+    <message>
+        <source>what has no jaws closes on nothing</source>
+        <translation>çenesi olmayan hiçbir şeyi kavramaz</translation>
+    </message>
+    <message>
+        <source>It counts where jaws open.</source>
+        <translation>Çeneler açılıyorsa geçerlidir.</translation>
     </message>
     <message>
         <source>tetrahedra are of one size</source>

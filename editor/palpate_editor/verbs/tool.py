@@ -32,15 +32,25 @@ class Shape:
     length: float
     """[m]"""
     friction: float
-    """[-] Smooth metal on wet serosa has 0.05 to 0.15 (core/CONTACT.md)."""
+    """[-] Smooth metal on wet serosa has 0.05 to 0.15, profiled jaws 0.3 to 0.8
+    (core/CONTACT.md)."""
+    jaw_opening: float = 0.0
+    """[rad]"""
 
 
 SHAPES = {
     "ball": Shape(3e-3, 0.0, 0.0),
     "probe": Shape(2.5e-3, 0.02, 0.1),
     "laparoscope": Shape(5e-3, 0.02, 0.1),
+    "grasper": Shape(1.2e-3, 0.02, 0.5, 0.52),
 }
-NUMBERS = ("radius", "length", "friction", "trocar_height")
+EXPECTED = {
+    "trocar_height": "a length above 0, or none of it",
+    "jaw_opening": "a length above 0, or none of it",
+    "grip_force": "jaws that open, or none of it",
+}
+"""What a number that has no effect asks for."""
+NUMBERS = ("radius", "length", "friction", "trocar_height", "jaw_opening", "grip_force")
 
 
 def add_tool(parser: argparse.ArgumentParser) -> None:
@@ -56,6 +66,8 @@ def add_tool(parser: argparse.ArgumentParser) -> None:
         type=quantity("m"),
         help="over the organ, where the shaft passes the abdominal wall; 0: the device turns it",
     )
+    parser.add_argument("--jaw-opening", type=float, help="[rad] of each jaw; 0: it has none")
+    parser.add_argument("--grip-force", type=quantity("N"), help="with which jaws close at most")
     add_output(parser, "--out", "-o", writes=ORGAN, help=".organ to write; without one, nothing is")
 
 
@@ -106,7 +118,7 @@ def refuse_idle(call: argparse.Namespace, organ: Organ) -> None:
         if (idle := find_idle(constant, organ)) is not None:
             option = "--" + name.replace("_", "-")
             found = f"{getattr(call, name):g}, which has no effect here: {idle.why}"
-            raise Refusal(call.file, option, found, "a length above 0, or none of it")
+            raise Refusal(call.file, option, found, EXPECTED[name])
 
 
 def describe_tool(report: Report) -> str:
@@ -116,6 +128,11 @@ def describe_tool(report: Report) -> str:
         height = 1e3 * report["trocar_height"]
         turned = f"by a trocar {height:g} mm over the organ" if height else "by the device"
         what = f"a shaft of {radius:g} mm that touches on {length:g} mm, turned {turned}"
+        if opening := report["jaw_opening"]:
+            what = (
+                f"two jaws of {radius:g} mm, {length:g} mm long, that open by {opening:g} rad each "
+                f"and close with {report['grip_force']:g} N, turned {turned}"
+            )
     lines = [
         f"{report['file']}: {what}, friction {report['friction']:g}",
         f"of a tick of {report['tick_us']:.0f} us: {report['contact_us']:.0f} us of contact, "

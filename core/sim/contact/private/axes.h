@@ -14,7 +14,8 @@ namespace palpate {
 /// The axis of a capsule off the tool's position [m], in the scene's directions.
 struct Axes {
   Axes() = default;
-  Axes(const Tool& tool, const Quaternion& orientation) noexcept;
+  /// `jaw_angle` [rad] of a tool with jaws, by which each is open.
+  Axes(const Tool& tool, const Quaternion& orientation, double jaw_angle = 0.0) noexcept;
 
   std::span<const Capsule> list() const noexcept {
     return std::span(capsules).first(static_cast<std::size_t>(count));
@@ -23,6 +24,9 @@ struct Axes {
   std::array<Capsule, kMostCapsules> capsules;
   int count = 0;  ///< 0 of a ball
 };
+
+/// [m] A capsule of a tool in the tool's frame: of one with jaws, which are open by that [rad].
+Capsule open_jaw(const Tool& tool, std::size_t capsule, double angle) noexcept;
 
 /// What touches, as it is held.
 struct Shape {
@@ -47,7 +51,7 @@ struct SweptPart {
 /// What a tool sweeps that goes straight from one position to another: of a ball the path itself,
 /// of a capsule its axis halfway, with half of the path about it.
 struct Sweep {
-  Sweep(const Tool& tool, const Quaternion& orientation, const Vec3& tool_position,
+  Sweep(const Tool& tool, const Axes& axes, const Vec3& tool_position,
         const Vec3& hand_position) noexcept;
 
   std::span<const SweptPart> list() const noexcept {

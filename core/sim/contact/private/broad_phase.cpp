@@ -33,11 +33,10 @@ void keep_each_once(int parts, std::size_t found, std::span<const double> rest_a
   }
 }
 
-void choose_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,
+void choose_candidates(const AabbTree& tree, std::span<const Vec3> x, const Sweep& sweep,
                        const Vec3& tool_position, const Vec3& hand_position,
                        std::span<const double> rest_areas, std::span<const int> broad_candidates,
-                       Candidates& candidates, const Quaternion& orientation) noexcept {
-  const Sweep sweep(tool, orientation, tool_position, hand_position);
+                       Candidates& candidates) noexcept {
   std::size_t found = 0;
   for (const SweptPart& part : sweep.list()) {
     const double slack = compute_slack(tree.low(), tree.high(), part.from, part.to);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "palpate/sim/contact/find_candidates.h"
+#include "palpate/sim/contact/private/axes.h"
 
 namespace palpate {
 
@@ -16,11 +17,15 @@ int find_leaves_near_segment(const AabbTree& tree, const Vec3& from, const Vec3&
 /// find_candidates() from `broad_candidates`, which hold every triangle that find_candidates()
 /// would find and perhaps others, in any order: only their positions need be up to date, and no box
 /// is looked at.
-void choose_candidates(const AabbTree& tree, std::span<const Vec3> x, const Tool& tool,
+void choose_candidates(const AabbTree& tree, std::span<const Vec3> x, const Sweep& sweep,
                        const Vec3& tool_position, const Vec3& hand_position,
                        std::span<const double> rest_areas, std::span<const int> broad_candidates,
-                       Candidates& candidates,
-                       const Quaternion& orientation = Quaternion::Identity()) noexcept;
+                       Candidates& candidates) noexcept;
+
+/// find_candidates() of one part of a tool, a jaw for one.
+void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Sweep& sweep,
+                     const Vec3& tool_position, const Vec3& hand_position,
+                     std::span<const double> rest_areas, Candidates& candidates) noexcept;
 
 /// Ends a search of `parts` of a tool one after the other, which has found so many triangles: sorts
 /// out those that more than one of them is near to, and fills in the areas.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {
@@ -19,5 +20,12 @@ double measure_held_load(const ToolState& state, std::span<const TouchedSurface>
 double bound_stored_energy(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
                            const ToolState& state,
                            std::span<const TouchedSurface> surfaces) noexcept;
+
+/// bound_contact_stiffness() of one part of a tool; what the tool holds counts with one of them.
+double bound_shape_stiffness(const Shape& shape, bool with_holds, const Candidates& candidates,
+                             std::span<const Triangle> triangles, std::span<const Vec3> x,
+                             std::span<const double> mass, const ToolState& state,
+                             std::span<double> scratch, int body, const NearField* near,
+                             double coupling) noexcept;
 
 }  // namespace palpate

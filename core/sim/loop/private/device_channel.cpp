@@ -63,7 +63,7 @@ void DeviceChannel::count_force(const ToolState& tool) noexcept {
   if (size > peak_force_.load(std::memory_order_relaxed)) {
     peak_force_.store(size, std::memory_order_relaxed);
   }
-  if (!tool.touching && tool.hold_count == 0) return;
+  if (!tool.touching && !tool.has_hold()) return;
   const long count = touch_ticks_.fetch_add(1, std::memory_order_relaxed) + 1;
   touch_force_sum_ += size;
   touch_force_.store(touch_force_sum_ / double(count), std::memory_order_relaxed);

@@ -36,6 +36,10 @@ void note_world(const World& world, std::span<const HapticSample> samples,
     seen.tool_position = tool.position;
     seen.tool_orientation = tool.orientation;
     seen.touching = tool.touching;
+    seen.jaw_angle = tool.jaw_angle;
+    seen.pinch = tool.pinch;
+    seen.pad_pressure = tool.pad_pressure;
+    seen.carried = tool.carried;
   }
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const SoftState& body = world.bodies[b];

@@ -6,6 +6,7 @@
 
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
+#include "palpate/sim/grasp/private/jaws.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 #include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/world_internals.h"
@@ -96,11 +97,7 @@ double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
   BodyInternals& work = internals(world.bodies[body]);
   double contact = 0.0;
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
-    contact += bound_contact_stiffness(
-        scene.instruments[i].tool, world.pair(i, body).candidates, soft.tissue.triangles,
-        surface_position(world.bodies[body]), work.surface_mass, world.instruments[i].tool,
-        work.vertex_scratch, static_cast<int>(body), soft.near_field.get(),
-        scene.instruments[i].coupling.stiffness);
+    contact += bound_instrument_stiffness(scene, i, body, world);
   }
   work.contact_stiffness = contact;
   if (!(contact > 0.0)) return 1.0;
@@ -128,9 +125,37 @@ int find_divisor(int finest, int wanted) noexcept {
 
 }  // namespace
 
-bool is_near(const World& world, std::size_t instrument, std::size_t body) noexcept {
-  if (world.pair(instrument, body).candidates.count > 0) return true;
+double bound_instrument_stiffness(const Scene& scene, std::size_t instrument, std::size_t body,
+                                  World& world) noexcept {
+  const Instrument& its = scene.instruments[instrument];
   const ToolState& tool = world.instruments[instrument].tool;
+  const std::vector<Triangle>& triangles = scene.bodies[body].tissue.triangles;
+  const std::span<const Vec3> x = surface_position(world.bodies[body]);
+  BodyInternals& work = internals(world.bodies[body]);
+  if (!its.tool.jaws) {
+    const NearField* near = find_near_field(its.tool, scene.bodies[body]);
+    return bound_contact_stiffness(its.tool, world.pair(instrument, body).candidates, triangles, x,
+                                   work.surface_mass, tool, work.vertex_scratch,
+                                   static_cast<int>(body), near, its.coupling.stiffness);
+  }
+  double sum = 0.0;
+  const JawSurfaces surfaces = list_jaw_surfaces(scene, instrument, world);
+  for (int j = 0; j < 2; ++j) {
+    const TouchedSurface& surface = surfaces[static_cast<std::size_t>(j)][body];
+    sum += bound_jaw_stiffness(its.tool, j, *surface.candidates, triangles, x, work.surface_mass,
+                               tool, work.vertex_scratch, static_cast<int>(body), surface.near,
+                               its.coupling.stiffness);
+  }
+  return sum;
+}
+
+bool is_near(World& world, std::size_t instrument, std::size_t body) noexcept {
+  if (world.pair(instrument, body).candidates.count > 0) return true;
+  if (second_jaw(world, instrument, body).count > 0) return true;
+  const ToolState& tool = world.instruments[instrument].tool;
+  for (int k = 0; k < tool.anchor_count; ++k) {
+    if (tool.anchors[static_cast<std::size_t>(k)].body == static_cast<int>(body)) return true;
+  }
   for (int h = 0; h < tool.hold_count; ++h) {
     if (tool.holds[static_cast<std::size_t>(h)].body == static_cast<int>(body)) return true;
   }

@@ -8,7 +8,11 @@
 namespace palpate {
 
 /// Whether an instrument holds a body, or may touch it in this tick.
-bool is_near(const World& world, std::size_t instrument, std::size_t body) noexcept;
+bool is_near(World& world, std::size_t instrument, std::size_t body) noexcept;
+
+/// [1/s²] bound_contact_stiffness() of an instrument and a body.
+double bound_instrument_stiffness(const Scene& scene, std::size_t instrument, std::size_t body,
+                                  World& world) noexcept;
 
 /// How many substeps a body asks for in the coming tick of dt [s], from the world as the last tick
 /// left it, its candidates, and the hands in its workspace. Between substeps and substeps_max of

@@ -7,13 +7,11 @@
 #include "palpate/sim/contact/private/hold.h"
 #include "palpate/sim/device/device.h"
 #include "palpate/sim/dynamics/private/alarms.h"
+#include "palpate/sim/grasp/private/jaws.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 
 namespace palpate {
 namespace {
-
-/// [s] in which a hold that is let go fades: longer is no better [contact: release].
-constexpr double kReleaseTime = 0.03;
 
 /// Radii of the tip that a hand which pulls as hard as it can slides on before it is out of its
 /// grip.
@@ -26,16 +24,6 @@ constexpr double kStrainHeld = 0.75, kShortestHeld = 0.1, kSmallestHeld = 0.1;
 
 /// And at this part of how far a linear solid may be moved.
 constexpr double kDeepestHeld = 0.9;
-
-/// The tissue could not be pulled much farther without an alarm.
-bool is_near_alarm(const SoftBody& body, const SoftState& state) noexcept {
-  if (const ResponseKernel* kernel = find_response(state)) {
-    return measure_deepest_share(body, *kernel, state) > kDeepestHeld;
-  }
-  const double longest = 1.0 + kStrainHeld * find_strain_limit(body.tissue);
-  return state.stretch.longest > longest || state.stretch.shortest < kShortestHeld ||
-         state.stretch.smallest_volume < kSmallestHeld;
-}
 
 /// An instrument that holds, and the surfaces it may touch.
 struct Holding {
@@ -99,6 +87,15 @@ void fade_holds(double dt, const Holding& grip) noexcept {
 
 }  // namespace
 
+bool is_near_alarm(const SoftBody& body, const SoftState& state) noexcept {
+  if (const ResponseKernel* kernel = find_response(state)) {
+    return measure_deepest_share(body, *kernel, state) > kDeepestHeld;
+  }
+  const double longest = 1.0 + kStrainHeld * find_strain_limit(body.tissue);
+  return state.stretch.longest > longest || state.stretch.shortest < kShortestHeld ||
+         state.stretch.smallest_volume < kSmallestHeld;
+}
+
 /// A button pressed while holds fade counts once they are gone; one that has been down since they
 /// took hold must come up first.
 void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t buttons, double dt,
@@ -119,6 +116,110 @@ void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t butt
     attach_tool(grip.surfaces, grip.instrument.hold_stiffness, state.tool);
   }
   state.attach_pressed = pressed;
+}
+
+namespace {
+
+/// [rad/s] Jaws that a button closes turn by 1 rad in 100 ms.
+constexpr double kFastestJaw = 10.0;
+
+/// [s] Before that, in which what was pinched harder than its load asks for comes back.
+constexpr double kEaseTime = 0.02;
+
+/// [N] Jaws that carry no more let go at once: no hand feels it.
+constexpr double kNoLoad = 1e-3;
+
+/// Of the closing force: what is left of it after a tick in which the tissue could bear no more,
+/// and at which jaws open instead.
+constexpr double kYield = 0.9, kLeastGrip = 0.02;
+
+/// Of the way that jaws open: a hand that is so wide has opened.
+constexpr double kOpen = 0.9;
+
+/// [rad] How far the hand would have each jaw open.
+double find_goal(const Jaws& jaws, const HapticSample& sample) noexcept {
+  if ((sample.buttons & kAttachButton) != 0) return 0.0;
+  return std::clamp(jaws.open - sample.grip, 0.0, jaws.open);
+}
+
+bool strains(const Scene& scene, const World& world, const ToolState& tool) noexcept {
+  int checked = -1;
+  for (int k = 0; k < tool.anchor_count; ++k) {
+    const int body = tool.anchors[static_cast<std::size_t>(k)].body;
+    if (body == checked) continue;
+    checked = body;
+    const auto b = static_cast<std::size_t>(body);
+    if (is_near_alarm(scene.bodies[b], world.bodies[b])) return true;
+  }
+  return false;
+}
+
+void turn_toward(double goal, double dt, ToolState& tool) noexcept {
+  const double most = kFastestJaw * dt;
+  tool.jaw_wanted += std::clamp(goal - tool.jaw_wanted, -most, most);
+}
+
+/// The force comes down to what just carries the load F, 2 mu N = F, and from there with less in
+/// every tick: what slips then is no more than a tick's part of it.
+void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
+  ToolState& held = state.tool;
+  const int slips = std::max(1, static_cast<int>(std::round(kReleaseTime / dt)));
+  if (state.release_ticks == 0) {
+    const double least = held.held_load / (2.0 * tool.friction);
+    const double part = std::min(1.0, least / std::max(held.pinch, kNoLoad));
+    state.release_ticks = slips + static_cast<int>(std::round((1.0 - part) * kEaseTime / dt));
+    state.release_load = held.grip_limit * part;
+  }
+  const int eases = state.release_ticks - slips;
+  --state.release_ticks;
+  held.grip_limit = eases > 0 ? held.grip_limit + (state.release_load - held.grip_limit) / eases
+                              : state.release_load * state.release_ticks / slips;
+  if (state.release_ticks > 0) return;
+  release_tool(held);
+  state.attach_pressed = false;
+  held.jaw_wanted = std::max(held.jaw_wanted, held.jaw_angle);
+  held.grip_limit = tool.jaws->grip;
+}
+
+/// Tissue that could not bear more makes the jaws yield, for good until the hand opens; where even
+/// jaws that hardly close strain it, they open.
+void yield(const Tool& tool, InstrumentState& state) noexcept {
+  ToolState& jaws = state.tool;
+  jaws.grip_limit *= kYield;
+  if (jaws.grip_limit < kLeastGrip * tool.jaws->grip) state.opens = true;
+}
+
+}  // namespace
+/// Up to `closed` the motor closes with all its force; beyond, opening lessens it.
+void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample& sample, double dt,
+                 World& world) noexcept {
+  const Tool& tool = scene.instruments[instrument].tool;
+  if (!tool.jaws) return;
+  InstrumentState& state = world.instruments[instrument];
+  ToolState& jaws = state.tool;
+  double goal = find_goal(*tool.jaws, sample);
+  if (!jaws.placed) {
+    jaws.jaw_angle = jaws.jaw_wanted = goal;
+    return;
+  }
+  if (goal > kOpen * tool.jaws->open) {
+    state.opens = false;
+    if (state.release_ticks == 0) jaws.grip_limit = tool.jaws->grip;
+  }
+  if (strains(scene, world, jaws)) yield(tool, state);
+  if (state.opens) goal = tool.jaws->open;
+  const double closed = std::max(jaws.jaw_wanted, jaws.jaw_angle - kGripRise);
+  if (goal > closed) {
+    // jaws that have let go open with the tissue that pushes them
+    if (state.attach_pressed && jaws.held_load > kNoLoad) return let_go(tool, dt, state);
+    state.attach_pressed = false;
+    jaws.jaw_wanted = std::max(jaws.jaw_wanted, std::min(goal, jaws.jaw_angle));
+  } else {
+    state.attach_pressed = true;
+    if (state.release_ticks > 0) jaws.grip_limit = tool.jaws->grip;
+    state.release_ticks = 0;
+  }
+  turn_toward(goal, dt, jaws);
 }
 
 }  // namespace palpate

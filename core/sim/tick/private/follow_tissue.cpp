@@ -7,6 +7,7 @@
 #include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/broad_phase.h"
 #include "palpate/sim/contact/private/near_contact.h"
+#include "palpate/sim/grasp/private/jaws.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/world_internals.h"
@@ -113,6 +114,25 @@ std::span<const int> list_broad(const Sweep& sweep, double lag, const AabbTree& 
   return room.first(static_cast<std::size_t>(end - room.begin()));
 }
 
+/// What one part of a tool may touch of a body on its path from `position` to `hand` [m].
+void find_near_axes(const Scene& scene, const Shape& shape, std::size_t body, const Vec3& position,
+                    const Vec3& hand, World& world, Candidates& candidates) noexcept {
+  SoftState& state = world.bodies[body];
+  const Vec3 lift = find_lift(candidates.near, position);
+  const Sweep sweep(shape.tool, shape.axes, position + lift, hand + lift);
+  const std::vector<double>& areas = scene.bodies[body].rest_areas;
+  candidates.near.knows_compliance = candidates.near.found = false;
+  if (!lags(world, state) || state.asleep) {
+    find_candidates(state.tree, surface_position(state), sweep, position, hand, areas, candidates);
+    return;
+  }
+  PackedKernel& kernel = *find_packed(state);
+  const std::span<const int> broad = list_broad(sweep, bound_lag(state), state.tree, kernel);
+  read_corners(scene.bodies[body].tissue, broad, world.tick_count, kernel, state);
+  choose_candidates(state.tree, surface_position(state), sweep, position, hand, areas, broad,
+                    candidates);
+}
+
 /// A hand that is not in the scene yet may be anywhere.
 bool all_placed(const World& world) noexcept {
   return std::ranges::all_of(world.instruments, [](const InstrumentState& instrument) noexcept {
@@ -170,28 +190,18 @@ void follow_tissue(const Scene& scene, std::size_t body, World& world) noexcept 
 
 void find_touchable(const Scene& scene, std::size_t instrument, std::size_t body, const Vec3& hand,
                     World& world) noexcept {
-  SoftState& state = world.bodies[body];
   Candidates& candidates = world.pair(instrument, body).candidates;
   const Tool& tool = scene.instruments[instrument].tool;
-  const Vec3& position = world.instruments[instrument].tool.position;
-  const Quaternion& orientation = world.instruments[instrument].tool.orientation;
-  const Vec3 lift = find_lift(candidates.near, position);
-  const Vec3 from = position + lift, to = hand + lift;
-  const std::vector<double>& areas = scene.bodies[body].rest_areas;
-  candidates.near.knows_compliance = candidates.near.found = false;
-  if (!lags(world, state) || state.asleep) {
-    find_candidates(state.tree, surface_position(state), tool, from, to, areas, candidates,
-                    orientation);
-  } else {
-    PackedKernel& kernel = *find_packed(state);
-    const std::span<const int> broad =
-        list_broad({tool, orientation, from, to}, bound_lag(state), state.tree, kernel);
-    read_corners(scene.bodies[body].tissue, broad, world.tick_count, kernel, state);
-    choose_candidates(state.tree, surface_position(state), tool, from, to, areas, broad, candidates,
-                      orientation);
+  const ToolState& state = world.instruments[instrument].tool;
+  if (!tool.jaws) {
+    const Axes axes(tool, state.orientation);
+    find_near_axes(scene, {tool, axes}, body, state.position, hand, world, candidates);
+    return;
   }
-  candidates.from = position;
-  candidates.to = hand;
+  const OpenJaws jaws(tool, state.orientation, state.jaw_angle);
+  Candidates& second = second_jaw(world, instrument, body);
+  find_near_axes(scene, jaws.shape(0), body, state.position, hand, world, candidates);
+  find_near_axes(scene, jaws.shape(1), body, state.position, hand, world, second);
 }
 
 }  // namespace palpate

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "palpate/sim/dynamics/private/alarms.h"
+#include "palpate/sim/grasp/private/jaws.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/response/private/relax.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
@@ -55,15 +56,29 @@ double bound_contact_share(const Scene& scene, std::size_t body, const ResponseK
     }
   };
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
-    const Candidates& candidates = world.pair(i, body).candidates;
     const ToolState& tool = world.instruments[i].tool;
-    bound_contact_stiffness(
-        scene.instruments[i].tool, candidates, triangles, surface_position(world.bodies[body]),
-        work.surface_mass, tool, work.vertex_scratch, static_cast<int>(body),
-        scene.bodies[body].near_field.get(), scene.instruments[i].coupling.stiffness);
-    for (int c = 0; c < candidates.count; ++c) {
-      take(candidates.triangles[static_cast<std::size_t>(c)]);
+    const auto take_touchable = [&](const Candidates& candidates) noexcept {
+      for (int c = 0; c < candidates.count; ++c) {
+        take(candidates.triangles[static_cast<std::size_t>(c)]);
+      }
+    };
+    if (scene.instruments[i].tool.jaws) {
+      const JawSurfaces surfaces = list_jaw_surfaces(scene, i, world);
+      for (int j = 0; j < 2; ++j) {
+        const TouchedSurface& surface = surfaces[static_cast<std::size_t>(j)][body];
+        bound_jaw_stiffness(scene.instruments[i].tool, j, *surface.candidates, triangles, surface.x,
+                            work.surface_mass, tool, work.vertex_scratch, static_cast<int>(body),
+                            surface.near, scene.instruments[i].coupling.stiffness);
+        take_touchable(*surface.candidates);
+        for (int k = 0; j == 0 && k < tool.anchor_count; ++k) {
+          const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
+          if (anchor.body == static_cast<int>(body)) take(anchor.triangle);
+        }
+      }
+      continue;
     }
+    bound_instrument_stiffness(scene, i, body, world);
+    take_touchable(world.pair(i, body).candidates);
     for (int h = 0; h < tool.hold_count; ++h) {
       const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
       if (hold.body == static_cast<int>(body)) take(hold.triangle);

@@ -147,6 +147,9 @@ void copy_tool(const From& from, To& to) noexcept {
   to.patch_position = from.patch_position;
   to.patch_normal = from.patch_normal;
   to.friction = from.friction;
+  to.jaw_angle = from.jaw_angle;
+  std::copy_n(from.anchors.begin(), from.anchor_count, to.anchors.begin());
+  to.anchor_count = from.anchor_count;
 }
 
 // --- the ladder ----------------------------------------------------------------------------------
@@ -212,8 +215,10 @@ void keep_checkpoint(World& world) noexcept {
     const ToolState& tool = world.instruments[i].tool;
     copy_tool(tool, work.instruments[i]);
   }
-  for (std::size_t p = 0; p < world.pairs.size(); ++p)
+  for (std::size_t p = 0; p < world.pairs.size(); ++p) {
     work.near[p] = world.pairs[p].candidates.near;
+    work.second_near[p] = work.second[p].near;
+  }
 }
 
 void rewind(const Scene& scene, World& world) noexcept {
@@ -224,6 +229,7 @@ void rewind(const Scene& scene, World& world) noexcept {
   }
   for (std::size_t p = 0; p < world.pairs.size(); ++p) {
     static_cast<NearMemory&>(world.pairs[p].candidates.near) = work.near[p];
+    static_cast<NearMemory&>(work.second[p].near) = work.second_near[p];
   }
 }
 

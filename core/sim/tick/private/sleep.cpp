@@ -59,7 +59,7 @@ bool is_copy(const SoftState& state, const std::vector<std::byte>& copy) noexcep
 }
 
 /// An instrument may touch or holds the body, or remembers that its tool was on it.
-bool is_at_hand(std::size_t body, const World& world) noexcept {
+bool is_at_hand(std::size_t body, World& world) noexcept {
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     if (is_near(world, i, body)) return true;
     const ToolState::Carrier& carrier = world.instruments[i].tool.carrier;

@@ -24,19 +24,25 @@ void for_each_carrier(const TissueModel& tissue, int triangle, Visit visit) {
 }
 
 /// [1/s²] What contacts add to w² of a particle that may be touched or is held; none in the air.
-std::vector<double> list_contact_stiffness(const SoftBody& body, std::size_t index,
-                                           const World& world) {
+std::vector<double> list_contact_stiffness(const SoftBody& body, std::size_t index, World& world) {
   const double most = internals(world.bodies[index]).contact_stiffness;
   if (!(most > 0.0)) return {};
   const TissueModel& tissue = body.tissue;
   std::vector<double> added(tissue.mass.size(), 0.0);
   const auto add = [&](int i) { added[static_cast<std::size_t>(i)] = most; };
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
-    const Candidates& candidates = world.pair(i, index).candidates;
-    for (int c = 0; c < candidates.count; ++c) {
-      for_each_carrier(tissue, candidates.triangles[static_cast<std::size_t>(c)], add);
+    const Candidates& first = world.pair(i, index).candidates;
+    const Candidates& second = second_jaw(world, i, index);
+    for (const Candidates* part : {&first, &second}) {
+      for (int c = 0; c < part->count; ++c) {
+        for_each_carrier(tissue, part->triangles[static_cast<std::size_t>(c)], add);
+      }
     }
     const ToolState& tool = world.instruments[i].tool;
+    for (int k = 0; k < tool.anchor_count; ++k) {
+      const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
+      if (anchor.body == static_cast<int>(index)) for_each_carrier(tissue, anchor.triangle, add);
+    }
     for (int h = 0; h < tool.hold_count; ++h) {
       const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
       if (hold.body == static_cast<int>(index)) for_each_carrier(tissue, hold.triangle, add);

@@ -211,6 +211,9 @@ struct InstrumentCheckpoint {
   Vec3 patch_position = Vec3::Zero();        ///< [m]
   Vec3 patch_normal = Vec3::Zero();          ///< unit
   Vec3 friction = Vec3::Zero();              ///< [N]
+  double jaw_angle = 0.0;                    ///< [rad]
+  std::vector<ToolState::Anchor> anchors;    ///< as ToolState::anchors, with its capacity
+  int anchor_count = 0;                      ///< likewise
 };
 
 /// Buffers that live for one tick.
@@ -219,8 +222,11 @@ struct TickBuffers {
 
   std::vector<InstrumentCheckpoint> instruments;  ///< (keep_checkpoint)
   std::vector<NearMemory> near;                   ///< per pair (keep_checkpoint)
+  std::vector<Candidates> second;                 ///< per pair, of the second jaw (find_touchable)
+  std::vector<NearMemory> second_near;            ///< per pair, likewise (keep_checkpoint)
   std::vector<HandMotion> hands;                  ///< per instrument
   std::vector<TouchedSurface> surfaces;           ///< per body, of one instrument (list_surfaces)
+  std::vector<TouchedSurface> second_surfaces;    ///< likewise (list_jaw_surfaces)
   std::vector<const NearContacts*> others;        ///< per body, those of the others (list_surfaces)
   std::vector<double> work;                       ///< [J] per body, of the pushes (move_bodies)
   std::vector<int> wanted;                        ///< substeps per body (choose_substeps)
@@ -228,6 +234,25 @@ struct TickBuffers {
 };
 
 inline TickBuffers& workspace(World& world) noexcept { return world.workspace_.get(); }
+
+/// What the second jaw of an instrument may touch of a body; ContactPair::candidates are the
+/// first's.
+inline Candidates& second_jaw(World& world, std::size_t instrument, std::size_t body) noexcept {
+  return workspace(world).second[instrument * world.bodies.size() + body];
+}
+
+/// What a tool feels a body by: capsules feel a wall by the hard law, for its near field is that of
+/// a ball.
+inline const NearField* find_near_field(const Tool& tool, const SoftBody& body) noexcept {
+  const NearField* near = body.near_field.get();
+  const bool wall = near && near->wall_thickness > 0.0;
+  return wall && !tool.capsules.empty() ? nullptr : near;
+}
+
+/// list_surfaces() of each jaw of an instrument that has some.
+std::array<std::span<const TouchedSurface>, 2> list_jaw_surfaces(const Scene& scene,
+                                                                 std::size_t instrument,
+                                                                 World& world) noexcept;
 
 /// The surfaces of all bodies, as this instrument touches them; until it is called again.
 std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t instrument,

@@ -59,6 +59,8 @@ TIP = (
     "tool.radius",
     "tool.length",
     "tool.trocar_height",
+    "tool.jaw_opening",
+    "tool.grip_force",
     "tool.stiffness",
     "tool.friction",
 )

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "palpate/sim/grasp/private/jaw_touch.h"
+
+namespace palpate {
+namespace {
+
+constexpr int kNewtonSteps = 3;
+constexpr int kNewtonStepsNear = 6;  // as of a tool without jaws (balance_tool.cpp)
+
+// part of the radius that steps keep an axis off the surface
+constexpr double kClearance = 1e-3;
+
+// [m] and [rad] of a step that is left out where contacts are costly to find
+constexpr double kShortestStep = 1e-8, kShortestTurn = 1e-6;
+
+Vec3 limit(const Vec3& v, double most) noexcept {
+  const double length = v.norm();
+  return length > most ? Vec3(v * (most / length)) : v;
+}
+
+/// [m] No point of a jaw goes farther as it turns by 1 rad.
+double find_reach(const Tool& tool) noexcept {
+  double reach = 0.0;
+  for (const Capsule& jaw : tool.capsules) {
+    reach =
+        std::max({reach, (jaw.from - tool.jaws->hinge).norm(), (jaw.to - tool.jaws->hinge).norm()});
+  }
+  return reach;
+}
+
+/// The torque that closes both jaws, up to twice the grip at their middles, and how it falls.
+struct Drive {
+  double torque = 0.0;  // [N m] that opens them
+  double slope = 0.0;   // [N m/rad]
+};
+
+Drive find_drive(const JawSurroundings& around, double angle) noexcept {
+  const double most = 2.0 * around.grip * around.arm, slope = most / kGripRise;
+  const double torque = slope * (around.wanted - angle);
+  if (std::abs(torque) >= most) return {std::clamp(torque, -most, most), 0.0};
+  return {torque, slope};
+}
+
+/// A step of tool and jaws.
+struct Step {
+  Vec3 move = Vec3::Zero();  // [m]
+  double turn = 0.0;         // [rad]
+};
+
+/// The part of a step that may be taken, as of a tool without jaws: none goes more than half the
+/// way to any surface (balance_tool.cpp).
+Step shorten(const JawSurroundings& around, const JawPlace& place, const JawTouch& touch,
+             Step step) noexcept {
+  const double radius = around.tool.radius;
+  const double far = step.move.norm() + around.reach * std::abs(step.turn);
+  if (far <= 0.5 * (touch.smallest_distance - kClearance * radius)) return step;
+  double part = std::min(1.0, 0.5 * radius / far);
+  for_each_closest_of_jaws(around, place,
+                           [&](int jaw, int body, int t, const Contact& contact) noexcept {
+                             const Vec3 at = find_at(around, place, jaw, body, t, contact);
+                             const Vec3 moved = step.move + step.turn * place.jaws.move(jaw, at);
+                             const double approach = -moved.dot(contact.direction);
+                             const double room = 0.5 * (contact.distance - kClearance * radius);
+                             if (approach > 0.0)
+                               part = std::min(part, std::max(0.0, room) / approach);
+                           });
+  return {part * step.move, part * step.turn};
+}
+
+/// One Newton step of
+///
+///     K (h - p) + sum f_t n_t + anchors(p, a) = 0
+///     drive(a) + sum f_t n_t.v_t + layer(a) + anchors(p, a) = 0
+///
+/// with v = dy/da of a jaw's point, in place and angle together.
+Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, const JawPlace& start,
+               const JawPlace& place, const JawTouch& touch) noexcept {
+  const Vec3 to_hand = around.hand - place.position;
+  const double turned = place.jaws.angle() - start.jaws.angle();
+  const Vec3 moved = place.position - start.position;
+  const Drive drive = find_drive(around, place.jaws.angle());
+  const Squeeze layer = find_squeeze(around.tool, place.jaws, touch.pressed);
+  Eigen::Vector4d residual;
+  residual.head<3>() = limit(around.coupling.stiffness * to_hand, around.coupling.force_max) +
+                       touch.force + anchors.force - anchors.stiffness * moved -
+                       anchors.mixed * turned;
+  residual[3] = drive.torque + touch.torque + layer.torque + anchors.torque -
+                anchors.mixed.dot(moved) - anchors.angular * turned;
+  Eigen::Matrix4d jacobian;
+  jacobian.topLeftCorner<3, 3>() =
+      around.coupling.stiffness * Mat3::Identity() + touch.stiffness + anchors.stiffness;
+  jacobian.topRightCorner<3, 1>() = touch.mixed + anchors.mixed;
+  jacobian.bottomLeftCorner<1, 3>() = (touch.mixed + anchors.mixed).transpose();
+  // jaws that nothing resists turn as far as they may
+  const double least = 1e-3 * around.grip * around.arm / kGripRise;
+  jacobian(3, 3) =
+      std::max(drive.slope + touch.angular + layer.slope + anchors.angular, std::max(least, 1e-12));
+  const Eigen::Vector4d step = jacobian.ldlt().solve(residual);
+  const double angle = place.jaws.angle();
+  return {step.head<3>(), std::clamp(angle + step[3], place.least, place.most) - angle};
+}
+
+double measure_beside(const Candidates& candidates, const Vec3& p) noexcept {
+  const Vec3 path = candidates.to - candidates.from;
+  const double squared_length = path.squaredNorm();
+  if (!(squared_length > 0.0)) return (p - candidates.from).norm();
+  const double t = std::clamp((p - candidates.from).dot(path) / squared_length, 0.0, 1.0);
+  return (p - (candidates.from + t * path)).norm();
+}
+
+/// More than half of kCandidateMargin beside the path nobody has looked for triangles: the other
+/// half is for jaws that turn.
+Vec3 keep_near_way(const Candidates& candidates, const Vec3& p, const Vec3& step) noexcept {
+  constexpr double kMost = 0.5 * kCandidateMargin;
+  if (measure_beside(candidates, p + step) <= kMost) return step;
+  return limit(step, std::max(0.0, kMost - measure_beside(candidates, p)));
+}
+
+/// Newton's steps, from where the substep begins.
+void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool soft,
+            JawPlace& place) noexcept {
+  const JawPlace start = place;
+  const Candidates& path = *around.surfaces[0].front().candidates;
+  for (int i = 0; i < (soft ? kNewtonStepsNear : kNewtonSteps); ++i) {
+    const JawTouch touch = compute_touch(around, place);
+    Step step;
+    if (!touch.touches && anchors.stiffness.isZero(0.0)) {
+      const double angle = std::clamp(around.wanted, place.least, place.most);
+      step = {limit(around.hand - place.position, 0.5 * around.tool.radius),
+              angle - place.jaws.angle()};
+    } else {
+      step = find_step(around, anchors, start, place, touch);
+    }
+    step = shorten(around, place, touch, step);
+    step.move = keep_near_way(path, place.position, step.move);
+    const bool short_step = step.move.norm() < kShortestStep && std::abs(step.turn) < kShortestTurn;
+    if (soft && short_step && touch.touches) break;
+    const bool arrives = step.move == around.hand - place.position;
+    place.position = arrives ? around.hand : Vec3(place.position + step.move);
+    turn_to(around, place.jaws.angle() + step.turn, place);
+  }
+}
+
+/// Writes what the jaws do to the surfaces; returns the sum of forces on the tool [N].
+Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolState& state) noexcept {
+  const JawTouch touch = compute_touch(around, place);
+  const Squeeze layer = find_squeeze(around.tool, place.jaws, touch.pressed);
+  const auto bodies = around.surfaces[0];
+  const int sorted = state.anchor_count;
+  double nearest = std::numeric_limits<double>::infinity();
+  Vec3 sum = Vec3::Zero();
+  state.carrier.triangle = -1;
+  state.touching = false;
+  unpress_anchors(state);
+  for_each_of_jaws(around, place, [&](int jaw, int body, int t, const Contact& contact) noexcept {
+    if (contact.distance < nearest) {
+      const Vec3 at = find_at(around, place, jaw, body, t, contact) + place.position;
+      nearest = contact.distance;
+      state.carrier = {t, contact.weights, at, contact.direction, body};
+    }
+    if (!(contact.force > 0.0)) return;
+    const Vec3 force = contact.force * contact.direction;
+    if (!surface_of(around, jaw, body).load->add({t, contact.weights, -force})) return;
+    sum += force;
+    state.touching = true;
+    if (!(around.tool.friction > 0.0)) return;
+    const double whole = touch.pressed[static_cast<std::size_t>(jaw)].force;
+    const double pressed = contact.force * (1.0 + layer.force / whole);
+    press_anchor(around.tool, place.jaws, bodies, {jaw, body, t, contact.weights, pressed}, sorted,
+                 state);
+  });
+  sum += pull_anchors(around.tool, place.jaws, bodies, sorted, state);
+  state.pinch = 0.5 * (touch.pressed[0].force + touch.pressed[1].force) + layer.force;
+  state.pad_pressure = 0.0;
+  for (const Pressed& pressed : touch.pressed) {
+    const double area = find_covered(around.tool, pressed);
+    if (area > 0.0) {
+      state.pad_pressure = std::max(state.pad_pressure, (pressed.force + layer.force) / area);
+    }
+  }
+  return sum;
+}
+
+/// [N m] On the tool about its position, of all that the loads have.
+Vec3 compute_torque(std::span<const TouchedSurface> surfaces, const Vec3& p) noexcept {
+  Vec3 torque = Vec3::Zero();
+  for (const TouchedSurface& surface : surfaces) {
+    for (const Push& push : surface.load->pushes()) {
+      const Vec3 at = compute_point(triangle_at(surface, push.triangle), push.weights, surface.x);
+      torque -= (at - p).cross(push.force);
+    }
+  }
+  return torque;
+}
+
+/// Begins a substep with the surfaces of both jaws; false where nothing is anywhere near them.
+bool begin(const JawSurroundings& around, ToolState& state) noexcept {
+  bool near = state.anchor_count > 0;
+  for (const auto& surfaces : around.surfaces) {
+    for (const TouchedSurface& surface : surfaces) {
+      Candidates& candidates = *surface.candidates;
+      NearContacts& contacts = candidates.near;
+      candidates.lanes.reach = -1.0;
+      const bool known = contacts.centre == state.position + contacts.lift;
+      contacts.lift = known ? contacts.next_lift : Vec3::Zero();
+      contacts.found = false;
+      surface.load->clear();
+      near = near || candidates.count > 0;
+    }
+  }
+  return near;
+}
+
+}  // namespace
+
+Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
+                  const JawSurfaces& surfaces, ToolState& state) noexcept {
+  const JawSurroundings around{tool,
+                               coupling,
+                               hand_position,
+                               surfaces,
+                               state.jaw_wanted,
+                               state.grip_limit,
+                               measure_arm(tool),
+                               find_reach(tool)};
+  if (!begin(around, state)) {
+    state.position = hand_position;
+    state.jaw_angle = state.jaw_wanted;
+  }
+  JawPlace place{state.position, OpenJaws(tool, state.orientation, state.jaw_angle),
+                 std::max(0.0, state.jaw_angle - kMostTurn),
+                 std::min(tool.jaws->open, state.jaw_angle + kMostTurn)};
+  const AnchorSprings anchors = find_anchor_springs(tool, place.jaws, surfaces[0], state);
+  bool soft = false;
+  for (const TouchedSurface& surface : surfaces[0]) soft = soft || surface.near;
+  settle(around, anchors, soft, place);
+  state.position = place.position;
+  state.jaw_angle = place.jaws.angle();
+  const Vec3 sum = write_pushes(around, place, state);
+  const Vec3 felt =
+      limit(coupling.stiffness * (state.position - hand_position), coupling.force_max);
+  state.residual = sum - felt;
+  state.torque = compute_torque(surfaces[0], state.position);
+  return felt;
+}
+
+}  // namespace palpate

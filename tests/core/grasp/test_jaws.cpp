@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+
+#include "palpate/sim/grasp/private/jaws.h"
+#include "scenes/grasped.h"
+
+// The geometry of jaws, the layer between them and their anchors [contact: jaws].
+
+using namespace palpate;
+
+namespace {
+
+const Quaternion kTurned(Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -0.5).normalized()));
+
+/// Pressed evenly with `force` [N] all along a jaw.
+Pressed press_evenly(double force, double modulus = kLayerPressure, double thickness = kLayer) {
+  constexpr double length = scenes::kJawLength;
+  return {force, force * length / 2.0, force * length * length / 3.0, force * modulus,
+          force * thickness};
+}
+
+}  // namespace
+
+TEST_CASE("jaws open about their hinge, one each way, and points go with them") {
+  const Tool tool = scenes::make_grasper(0.5, 5.0);
+  const OpenJaws jaws(tool, kTurned, 0.3);
+  for (const int j : {0, 1}) {
+    CAPTURE(j);
+    const Vec3 tip = tool.capsules[std::size_t(j)].from;
+    const Vec3 at = jaws.to_scene(j, tip);
+    CHECK((at - jaws.axis_of(j).from).norm() < 1e-15);
+    CHECK((jaws.to_jaw(j, at) - tip).norm() < 1e-15);
+    // by hand: a hinge 22.4 mm behind the tip, an axis 1.2 mm aside
+    const Vec3 own = kTurned.conjugate() * at;
+    const double side = j == 0 ? 1.0 : -1.0, c = std::cos(0.3), s = std::sin(0.3);
+    CHECK(own.y() == doctest::Approx(side * (0.0012 * c + 0.0224 * s)));
+    CHECK(own.z() == doctest::Approx(0.0224 - 0.0224 * c + 0.0012 * s));
+    // dy/da by finite differences
+    const double step = 1e-6;
+    const Vec3 more = OpenJaws(tool, kTurned, 0.3 + step).to_scene(j, tip);
+    const Vec3 less = OpenJaws(tool, kTurned, 0.3 - step).to_scene(j, tip);
+    CHECK(((more - less) / (2.0 * step) - jaws.move(j, at)).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("the layer between two jaws resists as it is pressed, and not where one alone touches") {
+  const Tool tool = scenes::make_grasper(0.5, 5.0);
+  const std::array both{press_evenly(1.0), press_evenly(1.0)};
+  const auto squeeze = [&](double angle) {
+    return find_squeeze(tool, OpenJaws(tool, kTurned, angle), both);
+  };
+  // s = 12.4 mm at the middle and 1.2 mm aside, g = 2 s sin a; L = 2 mm
+  const double s = std::hypot(0.0124, 0.0012), area = tool.jaws->pad_area;
+  CHECK(squeeze(0.09).force == 0.0);
+  const double angle = std::asin(0.001 / (2.0 * s));
+  CHECK(squeeze(angle).force == doctest::Approx(kLayerPressure * area));
+  CHECK(squeeze(0.0).force == doctest::Approx(9.0 * kLayerPressure * area));
+  // torque = minus the gradient of the energy of p over the gap, slope = minus that of the torque
+  const double a = 0.03, step = 1e-6;
+  const double change = squeeze(a + step).torque - squeeze(a - step).torque;
+  const double falls = squeeze(a).force * 2.0 * s * std::sin(a);
+  CHECK(-change / (2.0 * step) == doctest::Approx(squeeze(a).slope + falls).epsilon(1e-5));
+
+  CHECK(find_squeeze(tool, OpenJaws(tool, kTurned, 0.0), {press_evenly(1.0), {}}).force == 0.0);
+  // a wall of prisms of twice 1.5 mm
+  const std::array wall{press_evenly(1.0, 1e5, 0.003), press_evenly(1.0, 1e5, 0.003)};
+  const OpenJaws at(tool, kTurned, std::asin(0.0015 / (2.0 * s)));
+  CHECK(find_squeeze(tool, at, wall).force == doctest::Approx(1e5 * area));
+}
+
+TEST_CASE("an anchor pulls as a spring, slips at mu N, and goes with what presses it") {
+  const Tool tool = scenes::make_grasper(0.5, 5.0);
+  const std::array<Triangle, 1> triangles = {{{0, 1, 2}}};
+  std::vector<Vec3> x = {{0.0, 0.0, 0.0}, {0.002, 0.0, 0.0}, {0.0, 0.002, 0.0}};
+  Load load(8);
+  Candidates candidates(1, 1);
+  const TouchedSurface surface{&candidates, triangles, x, &load};
+  const OpenJaws jaws(tool, Quaternion::Identity(), 0.1);
+  ToolState state(0, 0, 4);
+  state.position = Vec3(0.001, 0.0, 0.005);
+  const Vec3 middle = Vec3::Constant(1.0 / 3.0);
+  const double stiffness = kBristle * 3e7 * 2e-6;
+
+  const auto substep = [&](double pressed) {
+    load.clear();
+    const int sorted = state.anchor_count;
+    unpress_anchors(state);
+    if (pressed > 0.0) {
+      press_anchor(tool, jaws, {&surface, 1}, {0, 0, 0, middle, pressed}, sorted, state);
+    }
+    return pull_anchors(tool, jaws, {&surface, 1}, sorted, state);
+  };
+  CHECK(substep(0.1).norm() == doctest::Approx(0.0));
+  REQUIRE(state.anchor_count == 1);
+  CHECK(state.anchors[0].stiffness == doctest::Approx(stiffness));
+
+  for (Vec3& corner : x) corner += Vec3(1e-4, 0.0, 3e-4);  // aside by 0.1 mm, and away
+  Vec3 force = substep(0.1);
+  CHECK((force - Vec3(stiffness * 1e-4, 0.0, 0.0)).norm() < 1e-12);
+  REQUIRE(load.push_count == 1);
+  CHECK((load.pushes()[0].force + force).norm() == 0.0);
+  CHECK(state.held_load == doctest::Approx(force.norm()));
+
+  for (Vec3& corner : x) corner += Vec3(0.001, 0.0, 0.0);
+  CHECK((substep(0.1) - Vec3(0.05, 0.0, 0.0)).norm() < 1e-12);  // mu N
+  for (Vec3& corner : x) corner -= Vec3(1e-4, 0.0, 0.0);        // and back: a spring again
+  CHECK((substep(0.1) - Vec3(0.05 - stiffness * 1e-4, 0.0, 0.0)).norm() < 1e-12);
+  CHECK((substep(0.02) - Vec3(0.01, 0.0, 0.0)).norm() < 1e-12);
+  CHECK(substep(0.0).norm() == 0.0);
+  CHECK(state.anchor_count == 0);
+  CHECK_FALSE(state.pinches);
+}

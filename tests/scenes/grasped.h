@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "palpate/sim/model/build_surface.h"
+#include "palpate/sim/tick/tick.h"
+#include "scenes/kernels.h"
+#include "scenes/solids.h"
+#include "scenes/walls.h"
+
+/// Jaws at the rim of a slab, by their own hand: closed, drawn outwards, held, let go.
+namespace palpate::scenes {
+
+constexpr double kJawRadius = 0.0012, kJawLength = 0.02;  ///< [m] of meshes/tools.toml
+
+/// Two jaws along the tool's z that open along its y.
+inline Tool make_grasper(double friction, double grip) {
+  constexpr double r = kJawRadius, length = kJawLength;
+  Tool tool{.radius = r,
+            .stiffness = 3e7,
+            .friction = friction,
+            .capsules = {{{0, r, 0}, {0, r, length}}, {{0, -r, 0}, {0, -r, length}}}};
+  tool.jaws = Jaws{.hinge = {0, 0, length + 2.0 * r}, .grip = grip};
+  return tool;
+}
+
+/// A closed slab, x from 0 to `size`[0], y and z about 0, with edges of about `edge` [m].
+inline SurfaceMesh make_slab(const Vec3& size, double edge) {
+  SurfaceMesh mesh;
+  const int nx = static_cast<int>(std::lround(size.x() / edge));
+  const int ny = static_cast<int>(std::lround(size.y() / edge));
+  const auto id = [&](int i, int j, int face) { return (face * (ny + 1) + j) * (nx + 1) + i; };
+  for (int face = 0; face < 2; ++face) {
+    for (int j = 0; j <= ny; ++j) {
+      for (int i = 0; i <= nx; ++i) {
+        mesh.vertices.emplace_back(size.x() * i / nx, size.y() * (double(j) / ny - 0.5),
+                                   size.z() * (face - 0.5));
+      }
+    }
+  }
+  const auto add = [&](int a, int b, int c, int d) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  };
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      add(id(i, j, 1), id(i + 1, j, 1), id(i + 1, j + 1, 1), id(i, j + 1, 1));
+      add(id(i, j, 0), id(i, j + 1, 0), id(i + 1, j + 1, 0), id(i + 1, j, 0));
+    }
+  }
+  for (int i = 0; i < nx; ++i) {
+    add(id(i, 0, 0), id(i + 1, 0, 0), id(i + 1, 0, 1), id(i, 0, 1));
+    add(id(i, ny, 0), id(i, ny, 1), id(i + 1, ny, 1), id(i + 1, ny, 0));
+  }
+  for (int j = 0; j < ny; ++j) {
+    add(id(0, j, 0), id(0, j, 1), id(0, j + 1, 1), id(0, j + 1, 0));
+    add(id(nx, j, 0), id(nx, j + 1, 0), id(nx, j + 1, 1), id(nx, j, 1));
+  }
+  return mesh;
+}
+
+/// Springs on home springs, 30 x 30 x 4 mm; its rim is at x = 30 mm.
+inline Scene make_grasped_slab(const Tool& tool, double coupling, double home = 3e6,
+                               double spring = 100.0) {
+  SurfaceOptions options;
+  options.home_stiffness = home;
+  options.drag = 60.0;
+  const Material wall{.density = 1000.0, .damping_ratio = 0.2, .wall_thickness = 0.002};
+  Scene scene;
+  scene.bodies[0].kernel = kernel_under_test();
+  scene.bodies[0].tissue =
+      build_mass_spring(make_slab({0.03, 0.03, 0.004}, 0.0015), wall, spring, options);
+  scene.instruments[0].tool = tool;
+  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
+  return build_scene(std::move(scene));
+}
+
+/// A block of 30 x 30 x 10 mm, held at x = 0, with its rim at x = 30 mm, by its near field.
+inline Scene make_grasped_block(const Tool& tool, double coupling,
+                                TissueModel (*build)(const SolidMesh&, const Material&,
+                                                     const SolidOptions&)) {
+  SolidMesh solid = make_block({0.03, 0.03, 0.01}, {6, 6, 2});
+  SolidOptions options;
+  options.nodal_share = 0.9;
+  options.drag = 30.0;
+  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
+    solid.vertices[i].x() += 0.015;
+    if (solid.vertices[i].x() < 1e-6) options.fixed.push_back(static_cast<int>(i));
+  }
+  Material material = make_material({.damping_ratio = 0.3});
+  material.young_modulus = 5e3;
+  material.poisson_ratio = 0.45;
+  Scene scene;
+  scene.bodies[0].tissue = build(solid, material, options);
+  scene.bodies[0].kernel = kernel_under_test();
+  scene.bodies[0].contact_modulus = 5e3 / (1.0 - 0.45 * 0.45);
+  scene.instruments[0].tool = tool;
+  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
+  return build_scene(std::move(scene));
+}
+
+/// A closed wall of prisms, 1.5 mm thick, 30 x 24 x 12 mm on home springs, its end at x = 30 mm.
+inline Scene make_grasped_wall(const Tool& tool, double coupling) {
+  SurfaceOptions options;
+  options.home_stiffness = 1e6;
+  options.drag = 60.0;
+  Material wall = make_material({.damping_ratio = 0.3});
+  wall.young_modulus = 1e5;
+  wall.poisson_ratio = 0.45;
+  wall.wall_thickness = 0.0015;
+  SurfaceMesh mesh = make_ellipsoid({0.015, 0.012, 0.006}, 3);
+  for (Vec3& x : mesh.vertices) x.x() += 0.015;
+  Scene scene;
+  scene.bodies[0].kernel = kernel_under_test();
+  scene.bodies[0].tissue = build_shell(mesh, wall, options);
+  scene.bodies[0].contact_modulus = 1e5 / (1.0 - 0.45 * 0.45);
+  scene.instruments[0].tool = tool;
+  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
+  return build_scene(std::move(scene));
+}
+
+/// A hand with jaws open along z, which comes to the rim along x and has 12 mm of it between them.
+class GraspingHand {
+ public:
+  explicit GraspingHand(const Scene& scene) : scene_(scene), world_(scene) {
+    Mat3 turn;
+    turn.col(2) = Vec3::UnitX();
+    turn.col(1) = Vec3::UnitZ();
+    turn.col(0) = turn.col(1).cross(turn.col(2));
+    sample_.orientation = Quaternion(turn);
+    sample_.position = Vec3(0.05, 0.0, 0.0);
+    go(-0.032, 0.2);
+  }
+
+  /// Goes along x by so far [m] within so long [s].
+  void go(double way, double time) {
+    const int ticks = static_cast<int>(std::lround(time * 1e3));
+    const double from = sample_.position.x();
+    for (int i = 1; i <= ticks; ++i) {
+      sample_.position.x() = from + way * i / ticks;
+      step();
+    }
+  }
+  void close() { sample_.buttons = kAttachButton; }
+  void open() { sample_.buttons = 0; }
+  void wait(double time) { go(0.0, time); }
+
+  Vec3 step() {
+    force_ = tick(scene_, sample_, 1e-3, world_).force;
+    if (after_tick) after_tick();
+    return force_;
+  }
+
+  std::function<void()> after_tick;
+  const Vec3& force() const { return force_; }
+  const World& world() const { return world_; }
+  const ToolState& tool() const { return world_.instruments[0].tool; }
+  HapticSample& sample() { return sample_; }
+
+ private:
+  const Scene& scene_;
+  World world_;
+  HapticSample sample_;
+  Vec3 force_ = Vec3::Zero();
+};
+
+}  // namespace palpate::scenes
