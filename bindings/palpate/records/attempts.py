@@ -100,12 +100,12 @@ def begin_attempt(
               for code, texts in assessment["texts"].items()}  # fmt: skip
     name = f"{identity}.prec"
     with store.begin() as connection:
-        known = select(scenario.c.sha256).where(scenario.c.sha256 == file_sha256)
-        if connection.execute(known).first() is None:
-            connection.execute(
-                scenario.insert().values(sha256=file_sha256, id=drawn.id, version=drawn.version,
-                                         title=titles, reviews=assessment.get("reviews", []))
-            )  # fmt: skip
+        connection.execute(  # another program may begin with the same file at this moment
+            scenario.insert().prefix_with("OR IGNORE").values(
+                sha256=file_sha256, id=drawn.id, version=drawn.version, title=titles,
+                reviews=assessment.get("reviews", []),
+            )
+        )  # fmt: skip
         connection.execute(
             attempt.insert().values(
                 id=identity, session=of, scenario=file_sha256, level=drawn.level, seed=drawn.seed,
