@@ -287,3 +287,11 @@ def test_updates_at_screen_rate_leave_no_memory_behind(view):
 
     # less than the surface itself takes: nothing of its size is made again
     assert peak < x.nbytes + 2**17
+
+
+def test_numbers_stay_in_their_corner_however_wide_they_are(view):
+    view.keep_free(right=40)
+    view.hud.show_rows([("Force", "0 N")])
+    right = view.hud.geometry().right()
+    view.hud.show_rows([("Instrument 1", "0.00 N"), ("Instrument 2", "12.00 N")])
+    assert view.hud.geometry().right() == right < view.width() - 40

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtCore import QPoint, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -27,7 +27,13 @@ class Hud(QWidget):
         self._numbers = QFont(self.font())
         self._numbers.setWeight(QFont.Weight.DemiBold)
         self._widest = (0.0, 0.0)
+        self._corner = QPoint(0, 0)
         self.hide()
+
+    def place(self, corner: QPoint) -> None:
+        """Its upper right corner [px], where it stays however wide its rows are."""
+        self._corner = corner
+        self.move(corner.x() - self.width(), corner.y())
 
     def show_rows(self, rows: Sequence[tuple[str, str]]) -> None:
         """Names and what stands beside them, unit included; none hides the widget."""
@@ -41,6 +47,7 @@ class Hud(QWidget):
         self.setVisible(bool(rows))
         if rows:
             self.resize(self.sizeHint())
+            self.place(self._corner)
             self.update()
 
     def use_theme(self, theme: Theme) -> None:

@@ -329,7 +329,7 @@ class ViewBase(ViewEvents):
     def _place_children(self) -> None:
         left, _, right, bottom = self._margins
         self.legend.move(QPoint(EDGE, EDGE))
-        self.hud.move(QPoint(self.width() - right - self.hud.width() - EDGE, EDGE))
+        self.hud.place(QPoint(self.width() - right - EDGE, EDGE))
         middle = (left + self.width() - right) / 2
         self.hint.place(middle, self.height() - EDGE - bottom, self.width() - left - right - EDGE)
 
