@@ -15,7 +15,8 @@ constexpr int kNewtonStepsNear = 6;  // as of a tool without jaws (balance_tool.
 // part of the radius that steps keep an axis off the surface
 constexpr double kClearance = 1e-3;
 
-// [m] and [rad] of a step that is left out where contacts are costly to find
+// [m] and [rad] of a step that is left out: contacts are costly to find, and jaws that hold are
+// still
 constexpr double kShortestStep = 1e-8, kShortestTurn = 1e-6;
 
 Vec3 limit(const Vec3& v, double most) noexcept {
@@ -139,7 +140,7 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
     step = shorten(around, place, touch, step);
     step.move = keep_near_way(path, place.position, step.move);
     const bool short_step = step.move.norm() < kShortestStep && std::abs(step.turn) < kShortestTurn;
-    if (soft && short_step && touch.touches) break;
+    if (short_step && touch.touches) break;
     const bool arrives = step.move == around.hand - place.position;
     place.position = arrives ? around.hand : Vec3(place.position + step.move);
     turn_to(around, place.jaws.angle() + step.turn, place);
