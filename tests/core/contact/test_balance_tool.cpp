@@ -309,8 +309,9 @@ TEST_CASE(
 
     const double reach = bench.tool.radius + kCandidateMargin + dice.number(0.0, 0.004);
     const int found = find_leaves_near_segment(bench.tree, from, to, reach, leaves);
-    choose_candidates(bench.tree, bench.mesh.vertices, bench.tool, from, to, bench.areas,
-                      std::span(leaves).first(static_cast<std::size_t>(found)), chosen);
+    choose_candidates(bench.tree, bench.mesh.vertices, {bench.tool, {}, from, to}, from, to,
+                      bench.areas, std::span(leaves).first(static_cast<std::size_t>(found)),
+                      chosen);
 
     REQUIRE(found >= chosen.count);
     REQUIRE(chosen.count == bench.candidates.count);
