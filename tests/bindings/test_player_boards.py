@@ -17,6 +17,7 @@ from palpate.player.scenario_cards import ScenariosWindow
 from palpate.runs.play import open_play
 from palpate.viewport.application import use_language
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QPushButton
+from tiers import keep_everyday
 from windows import keep_picture
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
@@ -92,7 +93,7 @@ def find_cut(board: Board) -> list[str]:
     return cut
 
 
-@pytest.mark.parametrize("scale", SIZES)
+@pytest.mark.parametrize("scale", keep_everyday(SIZES, ("200",)))
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_no_text_of_any_board_is_cut_off(open_window, task, language, scale):
     window = open_window(open_play(task))
@@ -142,7 +143,7 @@ def test_no_text_of_a_card_is_cut_off(shown, task, language, size):
     assert cut == []
 
 
-@pytest.mark.parametrize("scale", SIZES)
+@pytest.mark.parametrize("scale", keep_everyday(SIZES, ("200",)))
 def test_every_button_of_every_board_is_reached_by_keys(open_window, task, scale):
     """By Tab; of a row of which one is down by Tab to that one."""
     window = open_window(open_play(task))

@@ -19,6 +19,7 @@ from palpate.runs.play import Play, open_play
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
+from tiers import keep_everyday
 from trainees import texts
 from windows import LEFT, grab
 
@@ -379,7 +380,7 @@ def test_keys_alone_lead_from_who_to_play_and_to_the_menu(open_window, qtbot, sh
     assert not window.isVisible()
 
 
-@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize("language", keep_everyday(["en", "tr"], ("en",)))
 def test_a_mouse_is_told_that_it_gives_no_force_after_three_seconds(
     open_window, qtbot, short_task, database, language, checkout
 ):
