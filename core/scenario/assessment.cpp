@@ -86,7 +86,7 @@ double measure_length(const Tool& tool) {
 /// What an assessment says of a tool is that of the scene, which `palpate scenario publish` sees
 /// to.
 void check_tool(Fields& members, const Tool& tool) {
-  constexpr double kRounding = 1e-9, kHighest = 0.3;
+  constexpr double kRounding = 1e-9, kHighest = 0.3, kFarthest = 0.3;
   const auto check = [&](const char* name, double scenes) {
     if (!members.has(name)) return;
     const double said = members.number(name);
@@ -96,9 +96,15 @@ void check_tool(Fields& members, const Tool& tool) {
   check("radius_m", tool.radius);
   check("length_m", measure_length(tool));
   check("friction", tool.friction);
+  check("jaw_opening_rad", tool.jaws ? tool.jaws->open : 0.0);
+  if (tool.jaws) check("grip_force_N", tool.jaws->grip);
   const double height = members.number_or("trocar_height_m", 0.0);
   if (height < 0.0 || height > kHighest) {
     members.refuse("trocar_height_m", write_text(height), "0 to 0.3");
+  }
+  const double side = members.number_or("trocar_side_m", 0.0);
+  if (!(std::abs(side) <= kFarthest)) {
+    members.refuse("trocar_side_m", write_text(side), "-0.3 to 0.3");
   }
 }
 
