@@ -2432,6 +2432,7 @@ def find_candidates(
         hand_position: [m] shape (3,)
         rest_areas: [m²] shape (t,), per triangle
         orientation: [-] shape (4,), of the tool's frame: unit quaternion (x, y, z, w)
+        jaw_angle: [rad] by which each jaw is open
     """
 
 def balance_tool(
@@ -3408,6 +3409,7 @@ def has_room(tree: AabbTree, x: ArrayLike, hand_position: ArrayLike, radius: flo
         hand_position: [m] shape (3,)
         radius: [m]
         orientation: [-] shape (4,), of the tool's frame: unit quaternion (x, y, z, w)
+        jaw_angle: [rad] by which each jaw is open
     """
 
 @overload

@@ -72,6 +72,7 @@ WORDS = {
     "tip": "[m] shape (3,)",
     "to": "[m] shape (3,)",
     "tool_position": "[m] shape (3,)",
+    "jaw_angle": "[rad] by which each jaw is open",
     "orientation": "[-] shape (4,), of the tool's frame: unit quaternion (x, y, z, w)",
     "torque": "[N·m] shape (3,)",
     "torque_max": "[N·m] shape (3,)",

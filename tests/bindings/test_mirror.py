@@ -52,6 +52,7 @@ NOT_MIRRORED = {
     "TreeCost": "inside of World: when the loop has another tree built",
     "ToolState.Hold": "rows of ToolState.holds",
     "ToolState.PatchPoint": "rows of ToolState.patch",
+    "ToolState.Anchor": "rows of ToolState.anchors",
     "TickLog.take(ticks)": "what C++ appends to its arguments, Python is given back",
     "TickLog.take(events)": "what C++ appends to its arguments, Python is given back",
     "TickLog.take(hashes)": "what C++ appends to its arguments, Python is given back",
@@ -215,6 +216,7 @@ def test_rows_of_structured_arrays_have_the_fields_of_their_structs():
     assert list(nodes.dtype.names) == structs["AabbTree.Node"].fields
     assert list(palpate.ToolState(1).holds.dtype.names) == structs["ToolState.Hold"].fields
     assert list(palpate.ToolState(1).patch.dtype.names) == structs["ToolState.PatchPoint"].fields
+    assert list(palpate.ToolState(1).anchors.dtype.names) == structs["ToolState.Anchor"].fields
     for name in ("Push", "HapticSample", "Felt", "Event", "StateHash", "TickLog.Tick"):
         assert list(twin(name).dtype.names) == structs[name].fields
 

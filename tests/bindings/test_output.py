@@ -35,6 +35,7 @@ READ = {
     "--rerun",
     "--resume",
     "--original",
+    "--organ",
 } | {"--chart"}
 """Options that name a file to be read."""
 PRECIOUS = b"the notes of a year\n"

@@ -196,9 +196,7 @@ def shape_tool(said: Mapping[str, Any], row: int, scene: palpate.Scene) -> palpa
         friction=float(said.get("friction", before.friction)),
         length=float(said.get("length_m", length)),
         trocar_height=float(said.get("trocar_height_m", ToolPart.trocar_height)),
-        jaw_opening=float(
-            said.get("jaw_opening_rad", before.jaws.open if before.jaws else 0.0)
-        ),
+        jaw_opening=float(said.get("jaw_opening_rad", before.jaws.open if before.jaws else 0.0)),
         grip_force=float(
             said.get("grip_force_N", before.jaws.grip if before.jaws else ToolPart.grip_force)
         ),
