@@ -11,12 +11,17 @@ import pytest
 
 @pytest.fixture
 def shown(qtbot, rough_frames):
-    """shown(window) shows it and gives it back; closed and English when all is over."""
+    """shown(window) shows it and gives it back; closed and English when all is over.
+
+    Meanwhile reference cycles are not collected: a thread of a hand or device may otherwise end
+    widgets of other tests, and what they draw with.
+    """
     from palpate import translation
     from PySide6.QtCore import QLocale
     from PySide6.QtWidgets import QApplication
 
     made = []
+    gc.disable()
 
     def show(window):
         window.resize(960, 640)
@@ -33,6 +38,7 @@ def shown(qtbot, rough_frames):
     translation.install(QApplication.instance(), "en")
     QLocale.setDefault(QLocale("en"))
     gc.collect()
+    gc.enable()
 
 
 @pytest.fixture

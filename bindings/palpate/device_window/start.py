@@ -6,7 +6,7 @@ from __future__ import annotations
 from palpate.command.verb import Report
 from palpate.device_window.window import DeviceWindow
 from palpate.player.start import Watch
-from palpate.viewport.application import open_application
+from palpate.viewport.application import collect_in_this_thread, open_application
 
 
 def open_device_window(
@@ -14,11 +14,12 @@ def open_device_window(
 ) -> Report:
     """Shows the window until it is closed; it begins with a device where one is named."""
     app, code = open_application(language)
-    window = DeviceWindow(theme, code)
-    window.show()
-    if device is not None:
-        window.connect_to(device)
-    with Watch(window):
-        app.exec()
-    window.close()
+    with collect_in_this_thread():
+        window = DeviceWindow(theme, code)
+        window.show()
+        if device is not None:
+            window.connect_to(device)
+        with Watch(window):
+            app.exec()
+        window.close()
     return window.report()

@@ -17,7 +17,7 @@ from palpate.player.scenario_cards import ScenariosWindow
 from palpate.player.trainee_window import TraineeWindow
 from palpate.runs.kept_play import Keeper
 from palpate.runs.play import Play
-from palpate.viewport.application import open_application
+from palpate.viewport.application import collect_in_this_thread, open_application
 
 
 def play_in_window(
@@ -27,14 +27,15 @@ def play_in_window(
     OSError where a record was lost.
     """
     app, code = open_application(language)
-    window = TraineeWindow(play, theme, code)
-    if keeper is not None:
-        window.attendance.admission.use(keeper)
-    window.show()
-    if play.frames is not None or play.hand:  # a script needs nobody to be ready
-        window.restart()
-    with Watch(window):
-        app.exec()
+    with collect_in_this_thread():
+        window = TraineeWindow(play, theme, code)
+        if keeper is not None:
+            window.attendance.admission.use(keeper)
+        window.show()
+        if play.frames is not None or play.hand:  # a script needs nobody to be ready
+            window.restart()
+        with Watch(window):
+            app.exec()
     return window.report()
 
 
@@ -47,11 +48,12 @@ def show_scenarios(
 ) -> Report:
     """The scenarios of a folder, until their window is closed; `code` is of a person who plays."""
     app, spoken = open_application(language)
-    window = ScenariosWindow(folder, theme, spoken, device)
-    if code:
-        window.identification.take_code(code)
-    window.show()
-    app.exec()
+    with collect_in_this_thread():
+        window = ScenariosWindow(folder, theme, spoken, device)
+        if code:
+            window.identification.take_code(code)
+        window.show()
+        app.exec()
     return {"scenario": str(folder), "title": "", "task": "", "records": [], "record": None}
 
 
