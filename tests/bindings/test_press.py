@@ -4,14 +4,26 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
+import palpate
 import pytest
-from palpate.runs.press import Place, PressScript, find_top, measure_press, write_script
+from palpate.runs.press import (
+    Place,
+    PressScript,
+    find_top,
+    has_jaws,
+    measure_press,
+    write_script,
+)
 from palpate.runs.run import read_scene, run_script
+from palpate.scene.scene_file import build_tool
+from palpate.scene.scene_parts import ToolPart
 from published import publish
 
+PUBLISHED = Path(__file__).resolve().parents[2] / "meshes" / "published"
 PLACE = Place(np.array([0.0, 0.0, 0.02]), np.array([0.0, 0.0, 1.0]))
 RADIUS, DEPTH = 3e-3, 6e-3
 TIMES = write_script(PLACE, RADIUS, PressScript(DEPTH))[1]
@@ -71,3 +83,33 @@ def test_a_press_whose_hand_the_wrapper_refuses_ends_in_its_words(tmp_path):
         RuntimeError, match="the device failed: the device told a hand at .* m, exp"
     ):
         run_script(scene, in_millimetres, PressScript(DEPTH), tmp_path / "a.rec", path)
+
+
+def test_jaws_are_closed_in_a_press_and_close_at_the_depth_of_a_pull():
+    press_down = write_script(PLACE, RADIUS, PressScript(DEPTH), has_jaws=True)[0]
+    pull_up, times = write_script(PLACE, RADIUS, PressScript(DEPTH, pull=3e-3), has_jaws=True)
+
+    assert {frame.buttons for frame in press_down} == {1}
+    assert [frame.buttons for frame in pull_up if frame.time <= times.held] == [0, 0, 0, 0]
+    assert 1 in {frame.buttons for frame in pull_up if frame.time > times.held}
+
+
+@pytest.mark.parametrize("script", [PressScript(4e-3), PressScript(6e-3, pull=3e-3)])
+def test_a_press_with_a_grasper_is_felt(script):
+    scene = read_scene(PUBLISHED / "gallbladder.palpate")
+    grasper = ToolPart(radius=1.2e-3, friction=0.5, length=0.02, jaw_opening=0.52, grip_force=5.0)
+    scene.instruments[0].tool = build_tool(grasper)
+    scene = palpate.build_scene(scene)
+    frames, times = write_script(find_top(scene), grasper.radius, script, has_jaws(scene))
+    device, world = palpate.ScriptedDevice(frames), palpate.World(scene)
+
+    until = times.pulled or times.held
+    felt = np.array(
+        [
+            palpate.tick(scene, device.read(k / scene.rate), 1.0 / scene.rate, world).force[2]
+            for k in range(int(until * scene.rate))
+        ]
+    )
+
+    assert not world.alarm
+    assert felt.max() > 0.1 if script.pull == 0.0 else felt.min() < -0.5

@@ -13,7 +13,7 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import PICTURE, RECORD, SCRIPT
 from palpate.runs.pictures import plot_runs
-from palpate.runs.press import Place, PressScript, find_place, find_top, write_script
+from palpate.runs.press import Place, PressScript, find_place, find_top, has_jaws, write_script
 from palpate.runs.run import read_scene, require_one_instrument, run_script, say_link
 from palpate.runs.script_file import write_script_file
 
@@ -57,7 +57,8 @@ def run_press(call: argparse.Namespace) -> Report:
     script = PressScript(call.depth, call.pull, call.speed, call.hold)
     if call.script:
         write_script_file(
-            call.script, write_script(place, scene.instruments[0].tool.radius, script)[0]
+            call.script,
+            write_script(place, scene.instruments[0].tool.radius, script, has_jaws(scene))[0],
         )
     with tempfile.TemporaryDirectory() as folder:
         path = call.record or Path(folder) / "press.prec"

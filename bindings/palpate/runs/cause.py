@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 import palpate
-from palpate.runs.press import Place, PressScript, find_top, write_script
+from palpate.runs.press import Place, PressScript, find_top, has_jaws, write_script
 
 AlarmKind = palpate.AlarmKind
 
@@ -192,7 +192,7 @@ def rests_untouched(scene: palpate.Scene) -> bool:
 
 def bears_touch(scene: palpate.Scene, place: Place) -> bool:
     """Whether a light press and pull leave the tissue sound."""
-    frames, times = write_script(place, scene.instruments[0].tool.radius, TOUCH)
+    frames, times = write_script(place, scene.instruments[0].tool.radius, TOUCH, has_jaws(scene))
     return run_trial(scene, palpate.ScriptedDevice(frames), times.end) not in BLOWN
 
 

@@ -18,6 +18,8 @@ UNREST = 0.1
 """[-] of the mean force: how far apart the forces of that time may lie."""
 RAMP = 0.02
 """[s] The attach button goes down once the press has come to rest for this long."""
+CLOSE = 0.2
+"""[s] in which jaws close before they pull."""
 
 
 @dataclass(frozen=True)
@@ -93,11 +95,21 @@ def take_surface(scene: palpate.Scene, body: int) -> tuple[np.ndarray, np.ndarra
     return np.asarray(x), np.asarray(tissue.triangles)
 
 
+def has_jaws(scene: palpate.Scene) -> bool:
+    """Whether the first instrument has."""
+    return scene.instruments[0].tool.jaws is not None
+
+
 def write_script(
-    place: Place, radius: float, script: PressScript
+    place: Place, radius: float, script: PressScript, has_jaws: bool = False
 ) -> tuple[list[palpate.KeyFrame], PressTimes]:
-    """Key frames of the tip's centre for a ScriptedDevice, and when they do what."""
+    """Key frames of the tip's centre for a ScriptedDevice, and when they do what.
+
+    Jaws are closed in a press, as open ones leave what lies between them untouched; for a pull they
+    close at the depth.
+    """
     frames: list[palpate.KeyFrame] = []
+    closed = has_jaws and script.pull == 0.0
     now = 0.0
 
     def go(height: float, duration: float, attached: bool = False) -> float:
@@ -106,7 +118,7 @@ def write_script(
         frame = palpate.KeyFrame()
         frame.time = now
         frame.position = place.point + place.outward * (radius + height)
-        frame.buttons = 1 if attached else 0
+        frame.buttons = 1 if attached or closed else 0
         frames.append(frame)
         return now
 
@@ -117,6 +129,8 @@ def write_script(
     pulled = None
     if script.pull > 0.0:
         go(-script.depth, RAMP, attached=True)
+        if has_jaws:
+            go(-script.depth, CLOSE, attached=True)
         pulled = go(script.pull, (script.depth + script.pull) / script.speed, attached=True)
         go(script.pull, script.hold, attached=True)
         go(script.pull, RAMP)

@@ -19,7 +19,7 @@ from palpate.runs.alarms import tell_alarm, tell_averted
 from palpate.runs.coupling import describe_couplings, say_couplings
 from palpate.runs.element import Element, cut_hand, find_element
 from palpate.runs.live import LiveRun, find_longest
-from palpate.runs.press import Place, PressScript, PressTimes, measure_press, write_script
+from palpate.runs.press import Place, PressScript, PressTimes, has_jaws, measure_press, write_script
 from palpate.runs.stop_request import hear_stop
 from palpate.scene.scene_file import hash_file, open_scene
 
@@ -238,7 +238,7 @@ def run_script(
 
     Raises RuntimeError where the loop did not end, the tissue raised an alarm or the device failed.
     """
-    frames, times = write_script(place, scene.instruments[0].tool.radius, script)
+    frames, times = write_script(place, scene.instruments[0].tool.radius, script, has_jaws(scene))
     device = palpate.ScriptedDevice(frames)
     costs = run_device(scene, device, times.end, record_path, scene_path)
     if costs.fault != palpate.DeviceFault.none:

@@ -164,6 +164,8 @@ def run_press(
     the end; the most substeps of a tick in touch; the alarm that ended it."""
     world, sample = palpate.World(scene, recovers=False), palpate.HapticSample()
     radius = scene.instruments[0].tool.radius
+    jaws = scene.instruments[0].tool.jaws
+    sample.grip = jaws.open if jaws else 0.0  # closed: open ones leave what lies between untouched
     down = int(np.ceil((depth + CLEARANCE) / SPEED * scene.rate))
     ticks = down + round(hold * scene.rate)
     averaged = max(1, min(round(mean * scene.rate), ticks - down))

@@ -14,7 +14,15 @@ from numpy.typing import NDArray
 from palpate.runs.cause import Cause
 from palpate.runs.element import Element
 from palpate.runs.live import Frame
-from palpate.runs.press import Place, PressScript, PressTimes, find_place, find_top, write_script
+from palpate.runs.press import (
+    Place,
+    PressScript,
+    PressTimes,
+    find_place,
+    find_top,
+    has_jaws,
+    write_script,
+)
 from palpate.viewport import FboView, GLView, PointerHand, ViewTool
 from PySide6.QtCore import QObject, Signal
 
@@ -149,7 +157,9 @@ class Runner(QObject):
             self._name = tr("Hand {count}").format(count=self._count)
         else:
             place = find_target(scene, request.place)
-            frames, times = write_script(place, scene.instruments[0].tool.radius, request.script)
+            frames, times = write_script(
+                place, scene.instruments[0].tool.radius, request.script, has_jaws(scene)
+            )
             device, duration = palpate.ScriptedDevice(frames), times.end
             self._script = place, times
             self._name = tr("Press {count}").format(count=self._count)
