@@ -43,6 +43,9 @@ ARROW_RADIUS = 0.0065
 FORCE_SHOWN = 5e-4
 """[N] The smallest that the label does not call zero."""
 
+BESIDE = 1.5
+"""[-] Of the organ's radius, from its middle: what is farther away is not framed."""
+
 
 @dataclass(frozen=True)
 class Picture:
@@ -230,13 +233,19 @@ def as_thing(shape: Shape, appearance: Appearance) -> Thing:
 
 
 def place_camera(picture: Picture, things: list[Thing], overlay: Overlay) -> Camera:
-    """As near as all things fit into what title and legend leave free."""
+    """As near as the first thing, the organ, and what stands by it fit into what title and legend
+    leave free: a shaft may leave the picture."""
     camera = Camera(math.radians(picture.azimuth), math.radians(picture.elevation))
     free = overlay.free
     frame = (free.left, free.top, free.right, free.bottom)
     if free.right - free.left < picture.size[0] / 4 or free.bottom - free.top < picture.size[1] / 4:
         frame = (0.0, 0.0, float(picture.size[0]), float(picture.size[1]))
-    camera.fit(np.concatenate([thing.points() for thing in things]), picture.size, frame)
+    organ = things[0].points()
+    middle = 0.5 * (organ.min(axis=0) + organ.max(axis=0))
+    reach = BESIDE * np.linalg.norm(organ - middle, axis=1).max()
+    others = np.concatenate([organ[:0], *(thing.points() for thing in things[1:])])
+    near = others[np.linalg.norm(others - middle, axis=1) <= reach]
+    camera.fit(np.concatenate([organ, near]), picture.size, frame)
     return camera
 
 

@@ -66,7 +66,8 @@ def picture_of_record(
     x = join_positions([np.asarray(palpate.surface_position(body)) for body in world.bodies])
     its, state = scene.instruments[felt].tool, world.instruments[felt].tool
     drawn = build_instrument(its)
-    parts = () if drawn is None else place_instrument(drawn, state.position, state.orientation)
+    held = (state.position, state.orientation, state.jaw_angle)
+    parts = () if drawn is None else place_instrument(drawn, *held)
     glow = find_glow(bool(state.touching), float(sizes[felt, tick]))
     shade = build_shade(its, state.position, find_rotation(state.orientation), glow)
     save_picture(
