@@ -3000,8 +3000,52 @@
         <translation>kapsüllerden oluşan bir alet için 0: uykunun kuvveti ne kadar saptırdığı yalnızca küreler için bilinir</translation>
     </message>
     <message>
-        <source>0, the hard law, for an instrument of capsules: the near field of a wall is a ball's</source>
-        <translation>kapsüllerden oluşan bir alet için 0, yani sert yasa: bir duvarın yakın alanı bir küreninkidir</translation>
+        <source>%1 for instrument %2</source>
+        <translation>%2. alet için %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, script:FILE or serial:PATH</source>
+        <translation>%1, %2, script:DOSYA ya da serial:YOL</translation>
+    </message>
+    <message>
+        <source>--fulcrum: the instrument of this scenario has no trocar to turn about</source>
+        <translation>--fulcrum: bu senaryonun aletinin, çevresinde döneceği bir trokarı yok</translation>
+    </message>
+    <message>
+        <source>a tool of two capsules, which are its jaws</source>
+        <translation>çeneleri olan iki kapsüllü bir alet</translation>
+    </message>
+    <message>
+        <source>a unit vector</source>
+        <translation>birim vektör</translation>
+    </message>
+    <message>
+        <source>an inclusion that can be built</source>
+        <translation>kurulabilen bir kitle</translation>
+    </message>
+    <message>
+        <source>at least %1 mm: so far is the organ behind the trocar</source>
+        <translation>en az %1 mm: organ trokarın o kadar ötesinde</translation>
+    </message>
+    <message>
+        <source>at most %1, one an instrument</source>
+        <translation>en çok %1, her alete bir tane</translation>
+    </message>
+    <message>
+        <source>more than 0, up to pi/2</source>
+        <translation>0’dan büyük, en çok pi/2</translation>
+    </message>
+    <message>
+        <source>one or more</source>
+        <translation>bir ya da daha çok</translation>
+    </message>
+    <message>
+        <source>the id of a place</source>
+        <translation>bir yerin kimliği</translation>
+    </message>
+    <message>
+        <source>within 0.5 m of the tool's position</source>
+        <translation>aletin konumundan en çok 0,5 m uzakta</translation>
     </message>
     <message>
         <source>0, the hard law, for an instrument of several capsules: the near field is of one</source>
