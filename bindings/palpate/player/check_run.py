@@ -129,7 +129,9 @@ class CheckRun(QObject):
         fault = run.report().fault
         cut = fault is palpate.DeviceFault.motors_cut
         frame = None if self.window.view.is_busy() else run.take_frame()
-        if cut and clock - self._cleared > CLEAR_EVERY:
+        # the run may rest on although the motors are back
+        rests = cut or (check.stopped and frame is None)
+        if rests and clock - self._cleared > CLEAR_EVERY:
             self._cleared = clock
             self._bring_back(run)
         if frame is not None:
@@ -139,7 +141,7 @@ class CheckRun(QObject):
             view.show_force(frame.tool_position, frame.force)
             self.over.force.show_force(float(np.linalg.norm(frame.force)))
             check.take(frame, clock, cut)
-        elif cut:
+        elif rests:
             check.take_rest(clock)
         self._tell(clock)
         broken = fault not in (palpate.DeviceFault.none, palpate.DeviceFault.motors_cut)
