@@ -97,7 +97,7 @@ void check_capsules(const Tool& tool, const Place& place) {
 /// The hinge lies no farther than capsules may, and jaws open no wider than a right angle.
 void check_jaws(const Tool& tool, const Place& place) {
   if (!tool.jaws) return;
-  constexpr double kWidest = 0.5 * std::numbers::pi, kRounding = 1e-6;
+  constexpr double kWidest = 0.5 * std::numbers::pi;
   const Jaws& jaws = *tool.jaws;
   if (tool.capsules.size() != 2) {
     refuse(place("tool.jaws"), static_cast<double>(tool.capsules.size()),
