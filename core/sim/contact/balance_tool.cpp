@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "palpate/sim/base/private/limit.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/private/axes.h"
+#include "palpate/sim/contact/private/broad_phase.h"
 #include "palpate/sim/contact/private/friction.h"
 #include "palpate/sim/contact/private/list_contacts.h"
 #include "palpate/sim/contact/private/near_contact.h"
@@ -46,11 +48,6 @@ struct Surroundings {
 Vec3 compute_point_of(const Surroundings& around, int body, int t, const Vec3& weights) noexcept {
   const TouchedSurface& surface = around.surfaces[static_cast<std::size_t>(body)];
   return compute_point(triangle_at(surface, t), weights, surface.x);
-}
-
-Vec3 limit(const Vec3& v, double most) noexcept {
-  const double length = v.norm();
-  return length > most ? Vec3(v * (most / length)) : v;
 }
 
 /// Calls `take(body, triangle, contact)` for those of all surfaces, one surface after the other.
@@ -116,23 +113,6 @@ Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3
   return part * step;
 }
 
-/// [m] How far p lies beside the path that candidates were looked for along.
-double measure_beside(const Candidates& candidates, const Vec3& p) noexcept {
-  const Vec3 path = candidates.to - candidates.from;
-  const double squared_length = path.squaredNorm();
-  if (!(squared_length > 0.0)) return (p - candidates.from).norm();
-  const double t = std::clamp((p - candidates.from).dot(path) / squared_length, 0.0, 1.0);
-  return (p - (candidates.from + t * path)).norm();
-}
-
-/// More than kCandidateMargin beside the path there may be triangles nobody looked for: a tool
-/// that slides so far waits for the next tick. It stops short, for a pull back to the path would
-/// be a step that knows no surface.
-Vec3 keep_near_way(const Candidates& candidates, const Vec3& p, const Vec3& step) noexcept {
-  if (measure_beside(candidates, p + step) <= kCandidateMargin) return step;
-  return limit(step, std::max(0.0, kCandidateMargin - measure_beside(candidates, p)));
-}
-
 /// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing is where the hand
 /// is, to the bit, so that it feels exactly 0 N. `stuck` [m] is where friction would keep it.
 Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, const Vec3& hand,
@@ -154,7 +134,7 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
            : Vec3(jacobian.llt().solve(residual));
   const Vec3 step = shorten(around, p, touch, whole);
   // all surfaces were searched along the same path
-  return p + keep_near_way(*around.surfaces.front().candidates, p, step);
+  return p + keep_near_path(*around.surfaces.front().candidates, p, step, kCandidateMargin);
 }
 
 /// Footprints cost ten times what closest points do.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/sim/base/private/limit.h"
+#include "palpate/sim/contact/private/broad_phase.h"
 #include "palpate/sim/grasp/private/jaw_touch.h"
 
 namespace palpate {
@@ -18,11 +20,6 @@ constexpr double kClearance = 1e-3;
 // [m] and [rad] of a step that is left out: contacts are costly to find, and jaws that hold are
 // still
 constexpr double kShortestStep = 1e-8, kShortestTurn = 1e-6;
-
-Vec3 limit(const Vec3& v, double most) noexcept {
-  const double length = v.norm();
-  return length > most ? Vec3(v * (most / length)) : v;
-}
 
 /// [m] No point of a jaw goes farther as it turns by 1 rad.
 double find_reach(const Tool& tool) noexcept {
@@ -106,22 +103,6 @@ Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, cons
   return {step.head<3>(), std::clamp(angle + step[3], place.least, place.most) - angle};
 }
 
-double measure_beside(const Candidates& candidates, const Vec3& p) noexcept {
-  const Vec3 path = candidates.to - candidates.from;
-  const double squared_length = path.squaredNorm();
-  if (!(squared_length > 0.0)) return (p - candidates.from).norm();
-  const double t = std::clamp((p - candidates.from).dot(path) / squared_length, 0.0, 1.0);
-  return (p - (candidates.from + t * path)).norm();
-}
-
-/// More than half of kCandidateMargin beside the path nobody has looked for triangles: the other
-/// half is for jaws that turn.
-Vec3 keep_near_way(const Candidates& candidates, const Vec3& p, const Vec3& step) noexcept {
-  constexpr double kMost = 0.5 * kCandidateMargin;
-  if (measure_beside(candidates, p + step) <= kMost) return step;
-  return limit(step, std::max(0.0, kMost - measure_beside(candidates, p)));
-}
-
 /// Newton's steps, from where the substep begins.
 void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool soft,
             JawPlace& place) noexcept {
@@ -138,7 +119,8 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
       step = find_step(around, anchors, start, place, touch);
     }
     step = shorten(around, place, touch, step);
-    step.move = keep_near_way(path, place.position, step.move);
+    // the other half of the margin is for jaws that turn
+    step.move = keep_near_path(path, place.position, step.move, 0.5 * kCandidateMargin);
     const bool short_step = step.move.norm() < kShortestStep && std::abs(step.turn) < kShortestTurn;
     if (short_step && touch.touches) break;
     const bool arrives = step.move == around.hand - place.position;

@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "palpate/sim/base/private/limit.h"
+
 namespace palpate {
 namespace {
 
@@ -18,11 +20,6 @@ constexpr double kFadeTime = 0.02;
 
 /// [s] More than any rounding of times.
 constexpr double kRounding = 1e-9;
-
-Vec3 limit(const Vec3& v, double most) noexcept {
-  const double length = v.norm();
-  return length > most ? Vec3(v * (most / length)) : v;
-}
 
 /// Tissue that is not held only pushes, and sideways no harder than outwards: beyond, the tool has
 /// left the place that the model is of.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/base/private/limit.h"
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
@@ -34,11 +35,6 @@ constexpr double kThere = 1e-5;      // [m]
 constexpr double kPatience = 0.01, kLeastGain = 0.2, kLap = 0.3;
 constexpr std::size_t kGestures = 64;
 constexpr double kStart = 0.01;  // [m] over the highest vertex, before anything was asked for
-
-Vec3 limit(const Vec3& displacement, double most) noexcept {
-  const double length = displacement.norm();
-  return length > most ? Vec3(displacement * (most / length)) : displacement;
-}
 
 double share_of(double dt) noexcept { return 1.0 - std::exp(-dt / kGlideTime); }
 

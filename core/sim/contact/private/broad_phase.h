@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
+#include "palpate/sim/base/private/limit.h"
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/contact/private/axes.h"
 
@@ -31,5 +34,23 @@ void find_candidates(const AabbTree& tree, std::span<const Vec3> x, const Sweep&
 /// out those that more than one of them is near to, and fills in the areas.
 void keep_each_once(int parts, std::size_t found, std::span<const double> rest_areas,
                     Candidates& candidates) noexcept;
+
+/// [m] How far p lies beside the path that candidates were looked for along.
+inline double measure_beside(const Candidates& candidates, const Vec3& p) noexcept {
+  const Vec3 path = candidates.to - candidates.from;
+  const double squared_length = path.squaredNorm();
+  if (!(squared_length > 0.0)) return (p - candidates.from).norm();
+  const double t = std::clamp((p - candidates.from).dot(path) / squared_length, 0.0, 1.0);
+  return (p - (candidates.from + t * path)).norm();
+}
+
+/// A step from p that goes no more than `margin` [m], at most kCandidateMargin, beside the path:
+/// beyond that there may be triangles nobody looked for. A tool that slides so far waits for the
+/// next tick. It stops short, for a pull back to the path would be a step that knows no surface.
+inline Vec3 keep_near_path(const Candidates& candidates, const Vec3& p, const Vec3& step,
+                           double margin) noexcept {
+  if (measure_beside(candidates, p + step) <= margin) return step;
+  return limit(step, std::max(0.0, margin - measure_beside(candidates, p)));
+}
 
 }  // namespace palpate
