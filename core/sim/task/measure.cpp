@@ -95,6 +95,13 @@ void find_contact(const Task& task, const World& world, std::size_t instrument,
   mean.end();
 }
 
+/// `sum` [N] of stiffness times where each point that is held is now.
+void end_hold(const Vec3& sum, Mean& mean, Measures& measures) noexcept {
+  const double stiffness = measures.hold.weight;
+  mean.end();
+  if (stiffness > 0.0) measures.displacement = sum / stiffness - measures.hold.at_rest;
+}
+
 /// Where the tool holds, and how far that has been moved: a hold of stiffness k and offset o pulls
 /// its point y of the tissue to the tool p with f = -k (y + o - p), so y = p - o - f / k; likewise
 /// where k is a tensor.
@@ -115,9 +122,7 @@ void find_hold(const Task& task, const World& world, std::size_t instrument,
     }
     mean.end_body(b);
   }
-  const double stiffness = measures.hold.weight;
-  mean.end();
-  if (stiffness > 0.0) measures.displacement = now / stiffness - measures.hold.at_rest;
+  end_hold(now, mean, measures);
 }
 
 /// Where tissue sticks to both jaws, and how far that has been moved.
@@ -136,9 +141,7 @@ void find_pinched(const Task& task, const World& world, std::size_t instrument,
     }
     mean.end_body(b);
   }
-  const double stiffness = measures.hold.weight;
-  mean.end();
-  if (stiffness > 0.0) measures.displacement = now / stiffness - measures.hold.at_rest;
+  end_hold(now, mean, measures);
 }
 
 /// Force rate and speed over the history, which this tick is taken into.

@@ -72,21 +72,9 @@ void list_near(const Moved& moved, NearList& near) noexcept {
   near.clear();
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     const ToolState& tool = world.instruments[i].tool;
-    const Candidates& first = moved.world.pair(i, moved.index).candidates;
-    const Candidates& second = second_jaw(moved.world, i, moved.index);
-    for (const Candidates* part : {&first, &second}) {
-      for (int c = 0; c < part->count; ++c) {
-        add_near(tissue, part->triangles[static_cast<std::size_t>(c)], world.tick_count, near);
-      }
-    }
-    for (int k = 0; k < tool.anchor_count; ++k) {
-      const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
-      if (anchor.body == index) add_near(tissue, anchor.triangle, world.tick_count, near);
-    }
-    for (int h = 0; h < tool.hold_count; ++h) {
-      const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
-      if (hold.body == index) add_near(tissue, hold.triangle, world.tick_count, near);
-    }
+    for_each_touchable(moved.world, i, moved.index, [&](int triangle) noexcept {
+      add_near(tissue, triangle, world.tick_count, near);
+    });
     for (int k = 0; k < tool.patch_count; ++k) {
       const ToolState::PatchPoint& point = tool.patch[static_cast<std::size_t>(k)];
       if (point.body == index) add_near(tissue, point.triangle, world.tick_count, near);

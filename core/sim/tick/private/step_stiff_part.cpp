@@ -31,22 +31,8 @@ std::vector<double> list_contact_stiffness(const SoftBody& body, std::size_t ind
   std::vector<double> added(tissue.mass.size(), 0.0);
   const auto add = [&](int i) { added[static_cast<std::size_t>(i)] = most; };
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
-    const Candidates& first = world.pair(i, index).candidates;
-    const Candidates& second = second_jaw(world, i, index);
-    for (const Candidates* part : {&first, &second}) {
-      for (int c = 0; c < part->count; ++c) {
-        for_each_carrier(tissue, part->triangles[static_cast<std::size_t>(c)], add);
-      }
-    }
-    const ToolState& tool = world.instruments[i].tool;
-    for (int k = 0; k < tool.anchor_count; ++k) {
-      const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
-      if (anchor.body == static_cast<int>(index)) for_each_carrier(tissue, anchor.triangle, add);
-    }
-    for (int h = 0; h < tool.hold_count; ++h) {
-      const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
-      if (hold.body == static_cast<int>(index)) for_each_carrier(tissue, hold.triangle, add);
-    }
+    for_each_touchable(world, i, index,
+                       [&](int triangle) { for_each_carrier(tissue, triangle, add); });
   }
   return added;
 }

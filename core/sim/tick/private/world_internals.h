@@ -241,6 +241,27 @@ inline Candidates& second_jaw(World& world, std::size_t instrument, std::size_t 
   return workspace(world).second[instrument * world.bodies.size() + body];
 }
 
+/// Calls `visit` with every triangle of a body that an instrument may touch in this tick, with each
+/// of its jaws, or that follows it.
+template <class Visit>
+void for_each_touchable(World& world, std::size_t instrument, std::size_t body, Visit visit) {
+  const Candidates* parts[] = {&world.pair(instrument, body).candidates,
+                               &second_jaw(world, instrument, body)};
+  for (const Candidates* part : parts) {
+    for (int c = 0; c < part->count; ++c) visit(part->triangles[static_cast<std::size_t>(c)]);
+  }
+  const ToolState& tool = world.instruments[instrument].tool;
+  const auto index = static_cast<int>(body);
+  for (int k = 0; k < tool.anchor_count; ++k) {
+    const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
+    if (anchor.body == index) visit(anchor.triangle);
+  }
+  for (int h = 0; h < tool.hold_count; ++h) {
+    const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
+    if (hold.body == index) visit(hold.triangle);
+  }
+}
+
 /// What a tool feels a body by: capsules feel a wall by the hard law, for its near field is that of
 /// a ball.
 inline const NearField* find_near_field(const Tool& tool, const SoftBody& body) noexcept {
