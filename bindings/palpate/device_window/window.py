@@ -31,9 +31,8 @@ from palpate.player.device_sentences import say_advice, say_state
 from palpate.player.style import build_palette
 from palpate.translation.refusals import say_refusal
 from palpate.viewport import make_view
-from palpate.viewport.application import use_language
+from palpate.viewport.application import FRAME_MS, use_language
 
-FRAME_MS = 16
 DRAW_EVERY = 2
 """Frames for each time that the plots are drawn: they cost more than they change."""
 TABS = ("monitor", "calibrate", "selftest")

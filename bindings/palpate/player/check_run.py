@@ -24,12 +24,12 @@ from palpate.runs.play import find_driver
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
 from palpate.viewport import PointerHand
+from palpate.viewport.application import FRAME_MS
 from palpate.viewport.instruments import see_instruments
 
 if TYPE_CHECKING:
     from palpate.player.host import Host
 
-FRAME_MS = 16
 WATCHED = 3.0
 """[s] that a device without force is watched."""
 CLEAR_EVERY = 0.2

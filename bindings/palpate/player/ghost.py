@@ -13,12 +13,11 @@ from palpate.player.hand_work import HandWork
 from palpate.player.sentences import translate
 from palpate.runs.live import Frame, LiveRun
 from palpate.scene.surfaces import join_positions, join_rest_surfaces
+from palpate.viewport.application import FRAME_MS
 from palpate.viewport.instruments import see_instruments
 
 if TYPE_CHECKING:
     from palpate.player.host import Host
-
-FRAME_MS = 16
 
 
 class Ghost(QObject):

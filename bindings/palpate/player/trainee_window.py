@@ -35,12 +35,11 @@ from palpate.runs.play import Play, describe_outcome, describe_play, describe_ru
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
 from palpate.viewport import PointerHands, make_view, see_instruments
-from palpate.viewport.application import use_language
+from palpate.viewport.application import FRAME_MS, use_language
 from palpate.viewport.screen import fit_to_screen
 
 SIZE = QSize(1280, 800)
 """[px] of a window on a screen with room for it."""
-FRAME_MS = 16
 SLOW = 0.02
 """[-] share of missed ticks in a second that the trainee is told of."""
 ARROW = 0.8

@@ -69,7 +69,8 @@ def picture_of_record(
     held = (state.position, state.orientation, state.jaw_angle)
     parts = () if drawn is None else place_instrument(drawn, *held)
     glow = find_glow(bool(state.touching), float(sizes[felt, tick]))
-    shade = build_shade(its, state.position, find_rotation(state.orientation), glow)
+    rotation = find_rotation(state.orientation)
+    shade = build_shade(its, state.position, rotation, glow, opening=state.jaw_angle)
     save_picture(
         out,
         x,

@@ -14,6 +14,8 @@ from PySide6.QtWidgets import QApplication
 from palpate import translation
 from palpate.viewport.gl_view import build_format
 
+FRAME_MS = 16
+"""[ms] between two frames of what moves."""
 SWEEP = 2000
 """[ms] between two collections of reference cycles."""
 

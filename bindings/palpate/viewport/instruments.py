@@ -61,18 +61,13 @@ def see_instruments(scene: palpate.Scene, frame: Frame) -> list[SeenInstrument]:
             instrument.tool,
             np.array(now.tool_position),
             np.array(now.tool_orientation),
-            find_opening(now),
+            now.jaw_angle,
             bool(now.touching),
             float(np.linalg.norm(now.force)),
             instrument.trocar,
         )
         for instrument, now in zip(scene.instruments, frame.instruments, strict=True)
     ]
-
-
-def find_opening(now: object) -> float:
-    """[rad] of each jaw of an instrument; 0 for one that has none."""
-    return float(getattr(now, "jaw_angle", 0.0))
 
 
 @dataclass(frozen=True)
