@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `./run test` takes; the rest is a landing's.
+"""Which tests `./run test` runs; `./run landing` runs the others.
 
-    python tests/tiers.py RESULTS.xml ...          writes tests/long.txt anew by what tests took
+    python tests/tiers.py RESULTS.xml ...    regenerates tests/long.txt from measured times
 
-What is listed stays listed where the results do not tell of it, and still must take half of LIMIT.
+A listed test stays listed while it takes more than half of LIMIT, or is not among the results.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 import pytest
 
 LONG = Path(__file__).with_name("long.txt")
-"""Tests that took more than LIMIT of a processor, one a line; what `#` begins is kept as it is."""
+"""Tests that took more than LIMIT of processor time, one a line; lines that begin with # stay."""
 LIMIT = 1.5
 """[s]"""
 
@@ -43,7 +43,7 @@ def name_test(node: str) -> str:
 
 
 def read_times(results: Iterable[Path]) -> dict[str, float]:
-    """[s] of a processor, by test."""
+    """[s] of processor time, by test."""
     times = {}
     for case in (c for path in results for c in ElementTree.parse(path).getroot().iter("testcase")):
         for said in case.iter("property"):

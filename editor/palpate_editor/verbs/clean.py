@@ -60,7 +60,7 @@ def fill_small(call: argparse.Namespace, organ: Organ) -> tuple[Organ, list[int]
     holes = find_holes(call, organ)
     if not holes:
         return organ, []
-    # what is decimated at once is made anew there; patches that bend leave it worse triangles
+    # decimation remeshes the patches, and reaches better triangles from flat ones
     fill = FillHoles(tuple(holes), even=True, bent=getattr(call, "vertices", None) is None)
     filled = apply(fill, organ, call.file, "--fill-holes")
     return filled, list(holes.values())

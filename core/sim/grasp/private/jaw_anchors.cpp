@@ -86,8 +86,8 @@ void unpress_anchors(ToolState& state) noexcept {
   for (ToolState::Anchor& anchor : anchors_of(state)) anchor.pressed = 0.0;
 }
 
-/// One that slips is fastened anew where the jaw touches the triangle now, so far from there that
-/// it pulls with mu N.
+/// The point of the jaw of an anchor that slips moves: to where the jaw touches the triangle now,
+/// less the stretch at which the spring pulls with mu N.
 void press_anchor(const Tool& tool, const OpenJaws& jaws, std::span<const TouchedSurface> surfaces,
                   const JawContact& contact, int sorted, ToolState& state) noexcept {
   const auto known = std::span(state.anchors).first(static_cast<std::size_t>(sorted));
