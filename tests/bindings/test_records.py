@@ -29,7 +29,8 @@ from palpate.records.attempts import begin_attempt, begin_session, close_interru
 from palpate.records.people import CONSENT, add_person, find_person, forget, give_consent
 from palpate.records.queries import export_csv, list_attempts, show_attempt
 from palpate.records.store import ENVIRONMENT, Store, find_database, make_id
-from palpate.records.tables import META, VERSION
+from palpate.records.tables import META, VERSION, device
+from sqlalchemy import select
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
 DESIGNED = {
@@ -275,6 +276,24 @@ def test_programs_that_begin_at_once_with_a_new_file_all_begin(store, task):
 
     assert {row["attempt"] for row in list_attempts(store)} == begun
     assert len(begun) == AT_ONCE
+
+
+def test_a_program_that_waits_for_another_sees_what_that_one_wrote(store):
+    """Else each would make a row for the same device."""
+    who, second = find_person(store, join(store)), Store(store.path)
+    with ThreadPoolExecutor(1) as pool:
+        with store.begin() as mine:
+            mine.execute(
+                device.insert().values(id=make_id(), kind="mouse", firmware="", serial_hash="",
+                                       calibrated=None, calibration={})
+            )  # fmt: skip
+            other = pool.submit(begin_session, second, who, "mouse", {})
+            time.sleep(0.2)
+            assert not other.done()
+        other.result(timeout=20)
+
+    with store.begin() as connection:
+        assert len(connection.execute(select(device.c.id)).all()) == 1
 
 
 def write_strokes(folder: Path) -> Path:

@@ -106,6 +106,12 @@ def make_engine(path: Path) -> Engine:
             f"busy_timeout={PATIENCE_MS}",
         ):
             connection.execute(f"PRAGMA {pragma}")
+        connection.isolation_level = None  # else sqlite3 begins late, when a row is written
+
+    @event.listens_for(engine, "begin")
+    def begin(connection: Connection) -> None:
+        # from its first question on: what it has not found no other one makes meanwhile
+        connection.exec_driver_sql("BEGIN IMMEDIATE")
 
     return engine
 
