@@ -12,8 +12,9 @@
 namespace palpate::authoring {
 namespace {
 
-constexpr std::array kFormats = {"OBJ", "STL", "PLY", "GLB", "GLTF", "3DS", "FBX", "DAE", "OFF",
-                                 "VTK", "VTP", "VTU", "MSH", "X3D",  "3MF", "AMF", "AC",  "X"};
+/// Of palpate-read-mesh; who has another reader tells the format.
+constexpr std::array kFormats = {"OBJ", "STL", "PLY", "GLB", "GLTF", "3DS", "FBX", "DAE",
+                                 "OFF", "X3D", "3MF", "AMF", "AC",   "X",   "LWO"};
 
 /// Of volumes of voxels, of which a surface is yet to be cut.
 constexpr std::array kVolumes = {"NII", "GZ", "NRRD", "NHDR", "MHA", "MHD", "DCM"};
@@ -33,8 +34,10 @@ std::string find_format(const std::filesystem::path& path) {
     throw FileError(
         path.string(), "name",
         format.empty() ? "no extension" : "the extension " + path.extension().string(),
-        "one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .vtk .vtp "
-        ".vtu .msh");
+        "a mesh file: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .lwo "
+        ".vtk .vtp .vtu .vts .vtm .xdmf .xmf .neu .cas .msh .mesh .meshb .vol .veg .node .ele "
+        ".face .smesh .poly .pts .elem .inp .unv .feb .bdf .nas .fem .k .key .dyn .gii .mz3 .wrl "
+        ".wrz .iv .pial .white .inflated .orig .smoothwm");
   }
   return format;
 }
@@ -138,7 +141,7 @@ ImportedScene read_mesh(const std::filesystem::path& path, const ReadOptions& op
     throw std::invalid_argument("read_mesh: memory_limit must be positive, got 0");
   }
   validate_file(path);
-  const std::string format = find_format(path);
+  const std::string format = options.format.empty() ? find_format(path) : options.format;
 
   ImportedScene scene = decode_scene(path.string(), run_reader(path, format, options));
   scene.format = format;

@@ -27,8 +27,7 @@ struct ImportedPart {
 /// What a mesh file holds, before its unit and axes are chosen.
 struct ImportedScene {
   std::string file;
-  std::string format;  ///< its extension in capitals: OBJ, STL, PLY, GLB, GLTF, 3DS, FBX, DAE, OFF,
-                       ///< X3D, 3MF, AMF, AC, X, VTK, VTP, VTU or MSH
+  std::string format;  ///< in capitals: its extension, or what the reader was told
   std::vector<ImportedPart> parts;
   std::optional<std::string> unit;  ///< stated by the file or its format
   std::optional<std::string> up;    ///< x, y, z, -x, -y or -z, stated by the file or its format
@@ -38,6 +37,7 @@ struct ImportedScene {
 
 struct ReadOptions {
   std::filesystem::path reader;    ///< the program palpate-read-mesh, or one that answers like it
+  std::string format;              ///< told the reader, in capitals; else the extension
   std::vector<std::string> words;  ///< told the reader before the file's name
   double time_limit = 10.0;        ///< [s] until the reader is stopped
   std::size_t memory_limit = 1'500'000'000;  ///< [bytes] the reader may use

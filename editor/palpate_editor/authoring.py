@@ -64,7 +64,7 @@ from palpate_editor._authoring import (
     wrap_surface,
     write_mesh,
 )
-from palpate_editor.formats import build_words, find_missing
+from palpate_editor.formats import build_words, find_format, find_missing, open_plain
 
 __all__ = [
     "MEMORY_LIMIT",
@@ -131,22 +131,22 @@ def read_mesh(
 ) -> ImportedScene:
     """Reads a mesh file in a child process.
 
-    A .obj, .stl, .ply, .off, .glb, .gltf, .3ds, .fbx, .dae, .x3d, .3mf, .amf, .ac or .x is read by
-    `reader`, a .vtk, .vtp,
-    .vtu or .msh by an isolated Python: see palpate_editor.formats.
+    Which format it is, its extension tells, or its content: see palpate_editor.formats. Some are
+    read by `reader`, the others by an isolated Python. A file that was packed by gzip is unpacked.
     """
-    missing = find_missing(Path(path))
-    if missing is not None:
-        raise FileError(
-            str(path),
-            "",
-            f"a {Path(path).suffix} file, which the package {missing} reads, and it is not there",
-            "that package: pip install palpate-editor[formats]",
-        )
-    program, *words = build_words(Path(path)) or [reader]
-    return _authoring.read_mesh(
-        path, time_limit=time_limit, memory_limit=memory_limit, reader=program, words=words
-    )
+    with open_plain(Path(path)) as plain:
+        form = find_format(plain)
+        missing = find_missing(form)
+        if missing is not None:
+            raise FileError(
+                str(path),
+                "",
+                f"a {plain.suffix} file, which the package {missing} reads, and it is not there",
+                "that package: pip install palpate-editor[formats]",
+            )
+        program, *words = build_words(form) or [reader]
+        limits = {"time_limit": time_limit, "memory_limit": memory_limit}
+        return _authoring.read_mesh(plain, format=form or "", reader=program, words=words, **limits)
 
 
 def import_mesh(

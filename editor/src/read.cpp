@@ -108,9 +108,10 @@ void def_join(py::module_& m, const char* name, Function function, const std::st
       py::call_guard<py::gil_scoped_release>(), (doc + kJoinArguments).c_str());
 }
 
-ReadOptions read_options(const std::filesystem::path& reader, const Words& words, double time_limit,
-                         std::size_t memory_limit) {
+ReadOptions read_options(const std::filesystem::path& reader, const std::string& format,
+                         const Words& words, double time_limit, std::size_t memory_limit) {
   ReadOptions options;
+  options.format = format;
   options.words = words;
   options.reader = reader;
   options.time_limit = time_limit;
@@ -127,14 +128,15 @@ void bind_read(py::module_& m) {
   m.def(
       "read_mesh",
       [](const std::filesystem::path& path, double time_limit, std::size_t memory_limit,
-         const std::filesystem::path& reader, const Words& words) {
-        return read_mesh(path, read_options(reader, words, time_limit, memory_limit));
+         const std::filesystem::path& reader, const std::string& format, const Words& words) {
+        return read_mesh(path, read_options(reader, format, words, time_limit, memory_limit));
       },
       "path"_a, py::kw_only(), "time_limit"_a = ReadOptions().time_limit,
-      "memory_limit"_a = ReadOptions().memory_limit, "reader"_a, "words"_a = Words(),
-      py::call_guard<py::gil_scoped_release>(),
-      "Read a mesh file by the program `reader`, told `words` before the file's name, which gets "
-      "time_limit [s] and memory_limit [bytes]. Raises FileError.");
+      "memory_limit"_a = ReadOptions().memory_limit, "reader"_a, "format"_a = std::string(),
+      "words"_a = Words(), py::call_guard<py::gil_scoped_release>(),
+      "Read a mesh file by the program `reader`, told `words` before the file's name and `format` "
+      "behind it, in place of its extension where it is not empty; time_limit [s] and memory_limit "
+      "[bytes] are the program's. Raises FileError.");
   def_join(m, "join_parts", join_parts,
            "Take parts together, welded or as solids, and turn them to metres and z up.");
   m.def("find_places", &find_places, "scene"_a, py::call_guard<py::gil_scoped_release>(),

@@ -21,7 +21,7 @@ def confine(path: str, libraries: list[str], memory: int, seconds: int) -> None:
 
     Args:
         path: The file.
-        libraries: Folders of modules, which may still be loaded: numpy loads some when first used.
+        libraries: Folders that may be read: of modules, of which numpy loads some when first used.
         memory: [bytes] of address space.
         seconds: [s] of processor time.
     """

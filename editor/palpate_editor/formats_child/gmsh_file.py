@@ -99,7 +99,7 @@ def count_first_numbers(content: bytes) -> int:
 
 def read_rows_of_nodes(values: Values) -> tuple[np.ndarray, np.ndarray]:
     count = values.take_count("nodes")
-    if isinstance(values, TextValues) and values.section == "ParametricNodes":
+    if isinstance(values, TextValues) and values.section == "$ParametricNodes":
         return read_parametric_rows(values, count)
     numbers, points = values.take_records(count, "nodes", ints=1, reals=3)
     return numbers[:, 0], points

@@ -45,9 +45,9 @@ class Sections:
 
     def open(self, name: str, start: int) -> Values:
         if not self.is_text:
-            return BinaryValues(name, self.content, start, self.order, self.size)
+            return BinaryValues(f"${name}", self.content, start, self.order, self.size)
         end = self.content.find(b"$", start)
-        return TextValues(name, self.content[start : end if end >= 0 else len(self.content)])
+        return TextValues(f"${name}", self.content[start : end if end >= 0 else len(self.content)])
 
 
 def open_values(content: bytes, is_text: bool, order: str = "<", size: int = 8) -> Sections:
@@ -92,7 +92,7 @@ class Values(ABC):
             self.refuse_end(f"{count} {what}")
 
     def refuse_end(self, expected: str) -> None:
-        raise Refusal(f"${self.section}", "its end", expected)
+        raise Refusal(self.section, "its end", expected)
 
 
 class TextValues(Values):
@@ -110,9 +110,8 @@ class TextValues(Values):
                 return np.fromstring(text, sep=" ")
             except (ValueError, DeprecationWarning):
                 word, line = find_no_number(text)
-                raise Refusal(
-                    f"${self.section}, line {line} of it", f"'{word[:40]}'", "a number"
-                ) from None
+                where = f"{self.section}, line {line} of it" if self.section else f"line {line}"
+                raise Refusal(where, f"'{word[:40]}'", "a number") from None
 
     def count_left(self) -> int:
         return len(self.values) - self.at
@@ -130,7 +129,7 @@ class TextValues(Values):
         wrong = ~(np.abs(values) < 2.0**53) | (values != np.floor(values))
         if wrong.any():
             got = float(values[wrong].flat[0])
-            raise Refusal(f"${self.section}", f"{got:g}", f"whole numbers of {what}")
+            raise Refusal(self.section, f"{got:g}", f"whole numbers of {what}")
         return values.astype(np.int64)
 
     take_sizes = take_ints
@@ -219,7 +218,7 @@ class BinaryValues(Values):
         """It stands in text even here."""
         line = re.compile(rb"[ \t]*(\d{1,15})[ \t]*\r?\n").match(self.content, self.at)
         if line is None:
-            raise Refusal(f"${self.section}", "no number", f"how many {what} there are")
+            raise Refusal(self.section, "no number", f"how many {what} there are")
         self.at = line.end()
         count = int(line.group(1))
         self.check(count, 3, what)

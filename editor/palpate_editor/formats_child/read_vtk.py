@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces from the files of VTK: legacy (.vtk), polygons (.vtp), unstructured grids (.vtu).
+"""Surfaces from the files of VTK: legacy (.vtk), polygons (.vtp), grids (.vtu, .vts), blocks of
+them (.vtm); and from those of other programs that VTK reads as well (vtk_data.OTHERS).
 
 Which of them a file is, its beginning tells, whatever its name ends in.
 """
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet,
+    vtkDataObject,
     vtkDataSet,
     vtkGenericCell,
     vtkPolyData,
@@ -37,7 +42,7 @@ from palpate_editor.formats_child.scene import (
     describe_cells,
     describe_tetrahedra,
 )
-from palpate_editor.formats_child.vtk_data import open_vtk
+from palpate_editor.formats_child.vtk_data import OTHERS, open_other, open_vtk
 
 VOXELS = ("a volume of voxels", "a surface: palpate segment cuts one out of a volume")
 SURFACE = "polygons, or a grid of cells"
@@ -53,8 +58,54 @@ TETRAHEDRA = (10, 24)
 
 
 def read_vtk(path: str, form: str) -> Scene:
-    """The outside of what a file holds. Raises Refusal."""
-    data, notes = open_vtk(path, form)
+    """The outside of what a file holds; of several data sets, a part for each. Raises Refusal."""
+    data, notes = open_other(path, form) if form in OTHERS else open_vtk(path, form)
+    stem = Path(path).stem
+    if isinstance(data, vtkCompositeDataSet):
+        return read_blocks(stem, data, notes)
+    part, filling = read_data(stem, data, notes)
+    return Scene([part], notes, filling)
+
+
+def read_blocks(stem: str, data: vtkCompositeDataSet, notes: list[str]) -> Scene:
+    parts: list[Part] = []
+    fillings: list[Filling] = []
+    refusals: list[tuple[str, Refusal]] = []
+    names: Counter[str] = Counter()
+    for name, block in list_blocks(data):
+        name = name or stem
+        names[name] += 1
+        label = name if names[name] == 1 else f"{name} ({names[name]})"
+        said: list[str] = []
+        try:
+            part, filling = read_data(label, block, said)
+        except Refusal as refusal:
+            refusals.append((label, refusal))
+            continue
+        parts.append(part)
+        fillings.append(filling)
+        notes += said
+    if not parts:
+        raise refusals[0][1] if refusals else Refusal("", "no data sets", SURFACE)
+    notes += [f"{label} was left out: {refusal.got}" for label, refusal in refusals]
+    return Scene(parts, notes, fillings[0] if len(parts) == 1 else NO_FILLING)
+
+
+def list_blocks(data: vtkCompositeDataSet) -> Iterator[tuple[str, vtkDataObject]]:
+    """Each data set with the name that the file gives it."""
+    walk = data.NewIterator()
+    walk.SkipEmptyNodesOn()
+    walk.InitTraversal()
+    while not walk.IsDoneWithTraversal():
+        name = ""
+        if walk.HasCurrentMetaData():
+            name = walk.GetCurrentMetaData().Get(vtkCompositeDataSet.NAME()) or ""
+        yield name, walk.GetCurrentDataObject()
+        walk.GoToNextItem()
+
+
+def read_data(name: str, data: vtkDataObject, notes: list[str]) -> tuple[Part, Filling]:
+    """The surface of a data set, and its tetrahedra. Raises Refusal."""
     if not isinstance(data, vtkPolyData | vtkUnstructuredGrid | vtkStructuredGrid):
         kind = data.GetClassName()
         raise Refusal("", *WHAT.get(kind, (kind, SURFACE)))
@@ -64,10 +115,10 @@ def read_vtk(path: str, form: str) -> Scene:
     if isinstance(data, vtkUnstructuredGrid):
         if data.GetNumberOfCells() == 0:
             raise Refusal("", "points without cells", SURFACE)
-        check_cells(Path(path).stem, data.GetCells(), data.GetNumberOfPoints())
+        check_cells(name, data.GetCells(), data.GetNumberOfPoints())
         data = choose_cells(data)
         filling = take_filling(data, notes)
-    return Scene([take_surface(Path(path).stem, data)], notes, filling)
+    return take_surface(name, data), filling
 
 
 def take_surface(name: str, data: vtkDataSet) -> Part:
@@ -109,7 +160,7 @@ def find_colour(data: vtkPolyData) -> tuple[float, ...]:
 
 def take_filling(grid: vtkUnstructuredGrid, notes: list[str]) -> Filling:
     """The tetrahedra, where all cells that fill space are some."""
-    types = vtk_to_numpy(grid.GetCellTypesArray())
+    types = list_types(grid)
     if len(types) == 0 or measure_dimension(int(types[0])) != 3:
         return NO_FILLING
     if not np.isin(types, TETRAHEDRA).all():
@@ -131,7 +182,7 @@ def check_cells(name: str, cells: object, count: int) -> None:
 def choose_cells(grid: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
     """The cells that fill space, where there are some, else all: faces drawn on or in them as well
     would be there twice. Cells that have points of their own where they meet share them then."""
-    types = vtk_to_numpy(grid.GetCellTypesArray())
+    types = list_types(grid)
     fills = [int(kind) for kind in np.unique(types) if measure_dimension(int(kind)) == 3]
     solid = np.flatnonzero(np.isin(types, fills) & ~find_flat(grid, types))
     if len(solid) == 0:
@@ -148,6 +199,15 @@ def choose_cells(grid: vtkUnstructuredGrid) -> vtkUnstructuredGrid:
     joined.RemoveUnusedPointsOff()
     joined.Update()
     return joined.GetOutput()
+
+
+def list_types(grid: vtkUnstructuredGrid) -> np.ndarray:
+    """(cells,) Of VTK's kinds; those of XDMF have no array of them."""
+    types = grid.GetCellTypesArray()
+    if types is not None:
+        return vtk_to_numpy(types)
+    count = grid.GetNumberOfCells()
+    return np.fromiter((grid.GetCellType(i) for i in range(count)), np.uint8, count)
 
 
 def find_flat(grid: vtkUnstructuredGrid, types: np.ndarray) -> np.ndarray:

@@ -54,6 +54,10 @@ class Scene:
     notes: list[str] = field(default_factory=list)
     """What was odd but could be read all the same."""
     filling: Filling = NO_FILLING
+    unit: str = ""
+    """Stated by the file or its format: m, cm, mm, um, in or ft; empty for none."""
+    up: str = ""
+    """x, y, z, -x, -y or -z; empty where nothing is stated."""
 
 
 def cut_out(name: str, vertices: np.ndarray, triangles: np.ndarray) -> Part:
@@ -94,7 +98,8 @@ def encode_text(text: str) -> bytes:
 
 
 def encode_scene(scene: Scene) -> bytes:
-    pieces = [MAGIC, struct.pack("<I", SCENE), encode_text(""), encode_text("")]
+    pieces = [MAGIC, struct.pack("<I", SCENE), encode_text(scene.unit)]
+    pieces.append(encode_text(scene.up))
     pieces.append(struct.pack("<I", len(scene.notes)))
     pieces += [encode_text(note) for note in scene.notes]
     pieces.append(struct.pack("<I", len(scene.parts)))

@@ -6,7 +6,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from importlib import import_module
+from types import ModuleType
 from typing import NoReturn
+from xml.etree.ElementTree import ParseError, parse
 
 from vtkmodules.vtkCommonCore import vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkDataObject
@@ -18,6 +21,8 @@ from palpate_editor.formats_child.scene import Refusal
 
 ATTRIBUTES = rb"\r?\n[ \t]*(?:POINT_DATA|CELL_DATA)\b"
 """What begins the values at points and cells, which stand behind all cells."""
+OTHERS = {"XDMF": ("vtkIOXdmf2", "vtkXdmfReader")}
+"""Format that is not VTK's own -> module and class that read it."""
 LEGACY = "# vtk DataFile"
 
 
@@ -75,6 +80,26 @@ def repair(content: bytes, errors: list[str]) -> Iterator[tuple[bytes, str]]:
         rest = re.search(line, content, re.IGNORECASE)
         if rest:
             yield content[: rest.start()] + b"\n", f"its end was passed over, as VTK says: {said}"
+
+
+def load_reader(form: str) -> ModuleType | None:
+    """The module that reads a format; None where it is loaded already."""
+    return import_module(f"vtkmodules.{OTHERS[form][0]}") if form in OTHERS else None
+
+
+def open_other(path: str, form: str) -> tuple[vtkDataObject, list[str]]:
+    """The same of a file that is not VTK's own; all of them are XML."""
+    try:
+        parse(path)
+    except ParseError as problem:
+        where = f"line {problem.position[0]}"
+        raise Refusal(where, f"no XML ({problem.msg})", f"a readable {form} file") from None
+    reader = getattr(load_reader(form), OTHERS[form][1])()
+    reader.SetFileName(path)
+    data, errors, warnings = run(reader)
+    if data is None or errors:
+        refuse(errors, form)
+    return data, note_warnings(warnings)
 
 
 def run(reader: object) -> tuple[vtkDataObject | None, list[str], list[str]]:

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.document.file_state import is_changed, read_state
+from palpate_editor.formats import EXTENSIONS, is_mesh
 from palpate_editor.open_organ import open_organ
 from palpate_editor.scan import is_scan
 from palpate_editor.shipped import make_organ
@@ -23,19 +24,11 @@ from palpate_editor.views.tasks import ImportWork, Tasks
 from palpate_editor.views.translations import tr
 
 DOCUMENTS = (".organ", ".palpate")
-MESHES = (
-    *(".obj", ".stl", ".ply", ".off", ".glb", ".gltf", ".3ds", ".fbx", ".dae"),
-    *(".x3d", ".3mf", ".amf", ".ac", ".x"),
-    *(".vtk", ".vtp", ".vtu", ".msh"),
-)
+MESHES = tuple(f".{extension}" for extension in EXTENSIONS)
 
 
 def is_document(path: Path) -> bool:
     return path.suffix.lower() in DOCUMENTS or path.name.endswith(".scene.json")
-
-
-def is_mesh(path: Path) -> bool:
-    return path.suffix.lower() in MESHES
 
 
 def is_replaceable(organ: Organ, path: Path) -> bool:

@@ -924,6 +924,10 @@
         <translation>bir ağ dosyası</translation>
     </message>
     <message>
+        <source>a mesh file: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .lwo .vtk .vtp .vtu .vts .vtm .xdmf .xmf .neu .cas .msh .mesh .meshb .vol .veg .node .ele .face .smesh .poly .pts .elem .inp .unv .feb .bdf .nas .fem .k .key .dyn .gii .mz3 .wrl .wrz .iv .pial .white .inflated .orig .smoothwm</source>
+        <translation>bir ağ dosyası: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .lwo .vtk .vtp .vtu .vts .vtm .xdmf .xmf .neu .cas .msh .mesh .meshb .vol .veg .node .ele .face .smesh .poly .pts .elem .inp .unv .feb .bdf .nas .fem .k .key .dyn .gii .mz3 .wrl .wrz .iv .pial .white .inflated .orig .smoothwm</translation>
+    </message>
+    <message>
         <source>a mesh file it can read whole</source>
         <translation>bütünüyle okunabilen bir ağ dosyası</translation>
     </message>
@@ -2874,10 +2878,6 @@
     <message>
         <source>one for each of %1 triangles</source>
         <translation>%1 üçgenin her biri için bir tane</translation>
-    </message>
-    <message>
-        <source>one of .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .vtk .vtp .vtu .msh</source>
-        <translation>şunlardan biri: .obj .stl .ply .off .glb .gltf .3ds .fbx .dae .x3d .3mf .amf .ac .x .vtk .vtp .vtu .msh</translation>
     </message>
     <message>
         <source>one of the scenario's levels</source>

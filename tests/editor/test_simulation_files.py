@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of simulations, brains and old scenes come in as organs, or are refused in a sentence."""
+
+from __future__ import annotations
+
+import gzip
+import re
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from cell_files import SQUARES, TETRAHEDRA, X
+from palpate_editor.authoring import import_mesh, read_mesh
+from palpate_editor.formats import EXTENSIONS, find_format, is_mesh
+from palpate_editor.formats_child import packed
+from simulation_files import FILES
+from test_cell_files import check_ball
+
+
+def write(name: str, folder: Path) -> Path:
+    """The file that is opened, with those beside it."""
+    paths = []
+    for file, content in FILES[name]().items():
+        path = folder / file
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        paths.append(path)
+    return paths[0]
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_the_ball_comes_in_whole_from_every_format(name, tmp_path):
+    path = write(name, tmp_path)
+
+    scene = read_mesh(path)
+    organ = import_mesh(path, unit=None if scene.unit else "mm")
+
+    assert len(scene.parts) == 1
+    assert (organ.report.closed, organ.report.outward) == (True, True)
+    check_ball(1e3 * np.asarray(organ.mesh.vertices), np.asarray(organ.mesh.triangles), False)
+
+
+LENIENT = ("XDMF", "VTK, blocks")
+"""Whose readers take what a number begins with; a file that ends too early they do refuse."""
+
+
+def spoil(content: bytes, name: str) -> bytes:
+    """With a letter in the number that stands at two thirds of a text, else cut off there."""
+    found = list(re.finditer(rb"(?<=[\s,])\d\d+(?=[\s,])|\d\.\d\d+", content))
+    if name in LENIENT or not found or b"\0" in content:
+        return content[: 2 * len(content) // 3]
+    at = found[2 * len(found) // 3].end() - 1
+    return content[:at] + b"x" + content[at + 1 :]
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_damaged_twin_is_refused_in_a_sentence(name, tmp_path):
+    path = write(name, tmp_path)
+    path.write_bytes(spoil(path.read_bytes(), name))
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(path)
+
+    assert refusal.value.file == str(path)
+    assert refusal.value.got and refusal.value.expected
+    assert "fails on" not in refusal.value.got
+
+
+def test_what_a_file_is_its_content_tells_where_its_name_does_not(tmp_path):
+    told = {}
+    for name in FILES:
+        folder = tmp_path / str(len(told))
+        folder.mkdir()
+        path = write(name, folder)
+        told[name] = find_format(path)
+
+    assert told["Medit, faces"] == told["no extension, Medit"] == told["Netgen, neutral"] == "MEDIT"
+    assert (told["Fluent"], told["AVS UCD"], told["Abaqus"]) == ("FLUENT", "UCD", "ABAQUS")
+    assert told["FreeSurfer, a name of its own"] == "FREESURFER"
+    (tmp_path / "notes").write_text("solid advice: eat less\n")
+    assert find_format(tmp_path / "notes") is None and not is_mesh(tmp_path / "notes")
+
+
+@pytest.mark.parametrize("extension", ["stl", "obj", "ply", "off", "glb"])
+def test_a_mesh_under_a_name_of_its_own_is_read(extension, tmp_path):
+    from foreign_files import TETRAHEDRON, TETRAHEDRON_FACES, WRITERS
+
+    plain = tmp_path / f"a.{extension}"
+    WRITERS[extension](plain, TETRAHEDRON, TETRAHEDRON_FACES)
+    for name in ("a", "a.mesh_of_today", "a.bak"):
+        plain.with_name(name).write_bytes(plain.read_bytes())
+
+        assert len(read_mesh(plain.with_name(name)).parts[0].mesh.triangles) == 4
+
+
+def test_every_extension_is_named_where_one_is_refused(tmp_path):
+    (tmp_path / "a.doc").write_text("a letter")
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(tmp_path / "a.doc")
+
+    assert sorted(refusal.value.expected.split(": ")[1].split()) == sorted(
+        f".{extension}" for extension in EXTENSIONS
+    )
+
+
+def test_an_instance_of_abaqus_is_moved_and_then_turned(tmp_path):
+    x = np.asarray(read_mesh(write("Abaqus, parts", tmp_path)).parts[0].mesh.vertices)
+
+    # (x + 5, y, z), then by 90 degrees about (10, 0): (10 - y, x + 5 - 10, z)
+    assert np.sort(x[:, 0]).tolist() == pytest.approx(np.sort(10.0 - used(X)[:, 1]).tolist())
+    assert np.sort(x[:, 1]).tolist() == pytest.approx(np.sort(used(X)[:, 0] - 5.0).tolist())
+
+
+def used(x: np.ndarray) -> np.ndarray:
+    """Those on the outside, which alone are kept."""
+    return x[np.unique(SQUARES)]
+
+
+def test_vrml_is_turned_as_its_nodes_say_and_has_its_colour(tmp_path):
+    part = read_mesh(write("VRML 2", tmp_path)).parts[0]
+    x = np.asarray(part.mesh.vertices)
+
+    # twice the half, by 90 degrees about z, and 100 along x
+    assert np.sort(x[:, 0]).tolist() == pytest.approx(np.sort(100.0 - used(X)[:, 1]).tolist())
+    assert (part.name, part.colour) == ("Liver", pytest.approx((0.6, 0.2, 0.1)))
+
+
+def test_tetrahedra_of_a_simulation_fill_the_organ(tmp_path):
+    scene = read_mesh(write("FreeSurfer", tmp_path))
+    assert (scene.unit, scene.up, len(scene.filling.tetrahedra)) == ("mm", "z", 0)
+
+    scene = read_mesh(write("openCARP", tmp_path))
+    assert (scene.unit, len(scene.filling.tetrahedra)) == ("um", len(TETRAHEDRA))
+
+
+def test_a_part_that_lies_in_no_file_beside_it_is_said(tmp_path):
+    path = write("TetGen from 1", tmp_path)
+    (tmp_path / "ball.node").unlink()
+
+    with pytest.raises(palpate.FileError, match=r"no ball\.node beside it"):
+        read_mesh(path)
+
+
+def test_a_packed_file_that_grows_beyond_all_measure_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(packed, "MOST_BYTES", 100_000)
+    (tmp_path / "a.obj.gz").write_bytes(gzip.compress(b"v 0 0 0\n" * 100_000))
+
+    with pytest.raises(palpate.FileError, match="more than 0 MB once it is unpacked"):
+        read_mesh(tmp_path / "a.obj.gz")
+
+
+def test_the_page_of_the_editor_lists_every_extension():
+    page = (Path(__file__).parents[2] / "editor" / "README.md").read_text()
+    table = page.split("## Mesh files that are read")[1].split("\n## ")[0]
+
+    assert set(re.findall(r"`\.([\w]+)`", table)) >= set(EXTENSIONS)
