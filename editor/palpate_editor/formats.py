@@ -19,6 +19,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from palpate import FileError
+from palpate.files.whole_file import write_whole
 from palpate.system.isolated import build_isolated
 
 from palpate_editor.formats_child.packed import unpack
@@ -201,7 +202,7 @@ def naming(path: Path) -> Iterator[None]:
 def write_unpacked(path: Path, plain: Path) -> None:
     """Raises FileError."""
     try:
-        plain.write_bytes(unpack(path.read_bytes()))
+        write_whole(plain, unpack(path.read_bytes()))
     except Refusal as refusal:
         raise FileError(str(path), refusal.where, refusal.got, refusal.expected) from None
     except OSError as problem:

@@ -16,6 +16,7 @@ from palpate_editor.check import describe_problem, measure_surface
 from palpate_editor.doctor import list_surface_problems
 from palpate_editor.document import EMPTY
 from palpate_editor.edits import import_read
+from palpate_editor.formats import EXTENSIONS
 from palpate_editor.verbs.check import describe_problems
 from palpate_editor.verbs.clean import add_cleaning, clean, describe_cleaning
 from palpate_editor.verbs.decimate import decimate_to, describe_decimate
@@ -34,7 +35,7 @@ def add_import(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "file",
         type=Path,
-        help="OBJ, STL, PLY, OFF, GLB, 3DS, FBX, DAE, X3D, 3MF, AMF, AC, X, VTK, VTP, VTU or MSH",
+        help=f"a mesh file: {' '.join(EXTENSIONS)}, or one of them packed by gzip (.gz)",
     )
     add_source(parser)
     parser.add_argument(

@@ -25,6 +25,8 @@ from palpate_editor.views.translations import tr
 
 DOCUMENTS = (".organ", ".palpate")
 MESHES = tuple(f".{extension}" for extension in EXTENSIONS)
+SOME_MESHES = f"{', '.join(MESHES[:8])} ..."
+"""For a sentence; the file dialog lists them all."""
 
 
 def is_document(path: Path) -> bool:
@@ -188,7 +190,7 @@ class Files(QObject):
         if not is_document(path):
             self.context.tell(
                 tr("{file}: the editor opens .organ and .palpate files and imports {meshes}.")
-                .format(file=path.name, meshes=", ".join(MESHES))
+                .format(file=path.name, meshes=SOME_MESHES)
             )  # fmt: skip
             return
         if not self.tasks.is_busy():
@@ -238,7 +240,7 @@ class Files(QObject):
             names = ", ".join(path.name for path in paths) or tr("Nothing")
             self.context.tell(
                 tr("{file}: the editor opens .organ and .palpate files and imports {meshes}.")
-                .format(file=names, meshes=", ".join(MESHES))
+                .format(file=names, meshes=SOME_MESHES)
             )  # fmt: skip
             return
         if is_mesh(usable[0]):
