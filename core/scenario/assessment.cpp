@@ -83,9 +83,59 @@ double measure_length(const Tool& tool) {
   return length;
 }
 
-/// What an assessment says of a tool is that of the scene, which `palpate scenario publish` sees
-/// to.
-void check_tool(Fields& members, const Tool& tool) {
+/// What a tool may be called: a probe or a grasper may have any shape, the others their own.
+constexpr std::initializer_list<const char*> kKinds = {"probe", "grasper", "ball", "laparoscope",
+                                                       "syringe"};
+constexpr int kGrasper = 1, kBall = 2;
+
+void check_kind(Fields& members, int kind, const Tool& tool) {
+  if (kind == kBall && !tool.capsules.empty()) {
+    members.refuse("kind", "a ball", "another kind: the instrument has a shaft or jaws");
+  }
+  if (kind > kBall && (tool.capsules.empty() || tool.jaws)) {
+    members.refuse("kind", kKinds.begin()[kind],
+                   tool.jaws ? "a grasper: the instrument has jaws"
+                             : "a ball, a probe or a grasper: the instrument is a ball");
+  }
+}
+
+/// Where an assessment says that the trocar is, is where the scene has it.
+void check_trocar(Fields& members, const std::optional<Vec3>& trocar) {
+  constexpr double kRounding = 1e-9;
+  if (!members.has("trocar_m")) return;
+  for (const char* other : {"trocar_height_m", "trocar_side_m"}) {
+    if (members.has(other)) members.refuse(other, "one", "none of it beside trocar_m");
+  }
+  const Json& list = members.any("trocar_m");
+  bool same = trocar && list.is_array() && list.size() == 3;
+  for (int axis = 0; same && axis < 3; ++axis) {
+    const Json& at = list[static_cast<std::size_t>(axis)];
+    same = at.is_number() && std::abs(at.get<double>() - (*trocar)[axis]) <= kRounding;
+  }
+  if (same) return;
+  members.refuse("trocar_m", describe(list),
+                 trocar ? write_text("[", (*trocar)[0], ", ", (*trocar)[1], ", ", (*trocar)[2],
+                                     "], that of the instrument")
+                        : "none: the instrument has no trocar");
+}
+
+/// From the tip to the handle that a device shall be: nothing that a tick knows of.
+void check_fulcrum(Fields& members, bool has_trocar) {
+  constexpr double kLongest = 2.0;
+  const double length = members.number_or("fulcrum_m", 0.0);
+  if (!(length >= 0.0 && length <= kLongest)) {
+    members.refuse("fulcrum_m", write_text(length), "0 to 2");
+  }
+  if (length > 0.0 && !has_trocar) {
+    members.refuse("fulcrum_m", write_text(length),
+                   "0: the instrument has no trocar to turn about");
+  }
+}
+
+/// What an assessment says of an instrument is that of the scene, which `palpate scenario publish`
+/// sees to.
+void check_tool(Fields& members, const Instrument& instrument) {
+  const Tool& tool = instrument.tool;
   constexpr double kRounding = 1e-9, kHighest = 0.3, kFarthest = 0.3;
   const auto check = [&](const char* name, double scenes) {
     if (!members.has(name)) return;
@@ -98,6 +148,9 @@ void check_tool(Fields& members, const Tool& tool) {
   check("friction", tool.friction);
   check("jaw_opening_rad", tool.jaws ? tool.jaws->open : 0.0);
   if (tool.jaws) check("grip_force_N", tool.jaws->grip);
+  check("force_max_N", instrument.coupling.force_max);
+  check_trocar(members, instrument.trocar);
+  check_fulcrum(members, instrument.trocar.has_value());
   const double height = members.number_or("trocar_height_m", 0.0);
   if (height < 0.0 || height > kHighest) {
     members.refuse("trocar_height_m", write_text(height), "0 to 0.3");
@@ -126,8 +179,11 @@ void read_bodies_and_instruments(Fields& fields, const Scene& scene, const std::
   read("tools", "instrument", scene.instruments.size(),
        [&](const std::string& id, int row, Fields& members) {
          names.instruments.emplace(id, row);
-         if (members.choice("kind", {"probe", "grasper"}) == 1) names.graspers.insert(id);
-         check_tool(members, scene.instruments[static_cast<std::size_t>(row)].tool);
+         const Instrument& instrument = scene.instruments[static_cast<std::size_t>(row)];
+         const int kind = members.choice("kind", kKinds);
+         if (kind == kGrasper) names.graspers.insert(id);
+         check_kind(members, kind, instrument.tool);
+         check_tool(members, instrument);
        });
   if (names.bodies.empty()) fields.refuse("organs", "none", "at least one");
   if (names.instruments.empty()) fields.refuse("tools", "none", "at least one");

@@ -19,6 +19,7 @@ from palpate.scene.scene_parts import FILLED, ModelPart
 from palpate_editor import authoring
 from palpate_editor.compile import (
     compile_organ,
+    compile_with_tools,
     compute_stability_margin,
     is_built_alike,
     mesh_of,
@@ -156,7 +157,7 @@ def build(
         return None, None
     home = find_default_home(organ)
     try:
-        scene = compile_organ(organ, measured)
+        scene = compile_with_tools(organ, measured)
     except ValueError as problem:
         refusal = split_refusal(str(problem))
         allowed = find_coupling_range(organ)
@@ -175,7 +176,7 @@ def build(
         links=len(tissue.springs.ends) + len(tissue.bonds.ends),
         tetrahedra=len(palpate.list_tetrahedra(tissue)),
         default_home=home,
-        trial=measure_trial(organ, scene),
+        trial=measure_trial(organ, keep_first_tool(scene)),
         wall=compare_with_wall(organ, tissue),
         filling=state_facts(measure_filling(organ)) if organ.model.kind in FILLED else None,
         **find_reduced(organ, tissue),
@@ -230,6 +231,20 @@ def find_default_home(organ: Organ) -> float | None:
         )
     except ValueError:
         return None
+
+
+def keep_first_tool(scene: palpate.Scene) -> palpate.Scene:
+    """The scene with the first of its instruments, which is what is pressed with."""
+    if len(scene.instruments) == 1:
+        return scene
+    return palpate.build_scene(
+        palpate.Scene(
+            bodies=list(scene.bodies),
+            instruments=[scene.instruments[0]],
+            gravity=scene.gravity,
+            rate=scene.rate,
+        )
+    )
 
 
 def split_refusal(sentence: str) -> tuple[str, str, str]:

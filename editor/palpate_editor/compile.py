@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import palpate
+from palpate.assessment.instruments import shape_tools
+from palpate.files.refusal import Refusal
 from palpate.scene.scene_file import build_tissue, compile_scene
 from palpate.scene.scene_parts import FILLED, SceneFile
 
@@ -55,6 +59,26 @@ def compile_organ(
     return compile_scene(parts_of(organ), mesh_of(organ.surface), tissue, far)
 
 
+def compile_with_tools(
+    organ: Organ, measured: Callable[[palpate.ResponseSize], None] | None = None
+) -> palpate.Scene:
+    """The same with the instruments that the organ's task names. Raises ValueError likewise."""
+    scene = compile_organ(organ, measured)
+    if not organ.assessment:
+        return scene
+    try:
+        return shape_tools("assessment", json.loads(organ.assessment), scene)
+    except Refusal as refusal:
+        where, found, expected = refusal.where, refusal.got, refusal.expected
+        raise ValueError(f"{where}: got {found}, expected {expected}") from None
+
+
+def list_tools(organ: Organ) -> dict[str, Any]:
+    """What the organ's task says of its instruments, by name; none without a task."""
+    tools = json.loads(organ.assessment).get("tools") if organ.assessment else None
+    return tools if isinstance(tools, dict) else {}
+
+
 def build_organ(organ: Organ) -> palpate.TissueModel:
     """The tissue alone, of an organ that has a surface. Raises ValueError naming what is wrong."""
     if organ.model.kind in FILLED:
@@ -74,6 +98,8 @@ names."""
 def is_built_alike(one: Organ, other: Organ) -> bool:
     """Whether two organs are known to make the same scene: they differ at most in texts."""
     alike = all(is_alike(getattr(one, name), getattr(other, name)) for name in BUILT_FROM)
+    if one.assessment != other.assessment and list_tools(one) != list_tools(other):
+        return False
     return alike and all(
         one.regions.get(getattr(one.fill, name)) is other.regions.get(getattr(other.fill, name))
         for name in ("reach", "fine_region")

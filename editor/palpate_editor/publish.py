@@ -118,12 +118,6 @@ def try_task(
     """
     if not made.assessment:
         return made
-    tools = len(made.scene.instruments)
-    if tools != 1:
-        text = phrase("{count} tools, and simulated hands move one", count=tools)
-        raise PublishError(
-            (Problem("task", "error", "scenario", "instruments", text, phrase("one tool")),)
-        )
     if tried is None or tried["content_sha256"] != hash_content(made):
         tried = describe_selfplay(made, play_all(made, range(SEEDS), tell))
     problems = tuple(

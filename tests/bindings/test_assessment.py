@@ -32,6 +32,8 @@ ORGANS = {
     "spleen_probe": "spleen",
     "kidney_trace": "kidney",
     "gallbladder_retract": "gallbladder",
+    "gallbladder_grasp": "gallbladder",
+    "stomach_two_graspers": "stomach",
     "liver_hidden_lump": "liver",
 }
 """Assessment -> the organ it is of."""
@@ -69,10 +71,10 @@ def test_what_ships_is_of_the_schema_and_has_no_problems(name):
     jsonschema.Draft202012Validator(schema).validate(assessment)
 
     assert set(assessment["texts"]) == {"en", "tr"}
-    # the liver is longer than the arm reaches, which is said of such a place
+    # some organs are longer than the arm reaches, which is said of such a place
     problems = find_problems(published(name))
     assert [p for p in problems if p.severity == "error" or "workspace" not in p.message] == []
-    assert not problems or name == "liver_hidden_lump"
+    assert not problems or name in ("liver_hidden_lump", "stomach_two_graspers")
 
 
 MUTATIONS = [

@@ -60,7 +60,7 @@ class Scripted(Play):
         if scene is not None:  # of the check of the device
             return palpate.SurfacePointer(scene)
         assert self.drawn is not None
-        return palpate.ReplayDevice(attempt(self.scenario.scene, self.drawn, "careful").samples)
+        return palpate.ReplayDevice(attempt(self.scenario.scene, self.drawn, "careful").samples[0])
 
 
 def open_task(short_task: Path) -> Play:

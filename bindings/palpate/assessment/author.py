@@ -127,10 +127,22 @@ def add_step(
         step["at"] = at
     elif verb != "release":
         raise AuthorError(f"at: got none, expected a place to {verb}")
-    step |= {**USUAL[verb], **(values or {})}
+    step |= {**USUAL[verb], **(values or {}), **choose_tool(made, verb)}
     step["say"] = make_id(f"step-{name}", made["texts"]["en"])
     made["steps"].append(step)
     return write_texts(made, step["say"], say_step, step), name
+
+
+def choose_tool(assessment: Json, verb: str = "") -> Json:
+    """Where there are several instruments, whose a new step or limit is: that of the last step, or
+    the first that can do it."""
+    tools = assessment.get("tools", {})
+    if len(tools) < 2:
+        return {}
+    fit = [name for name, row in tools.items()
+           if verb not in HOLDING or row.get("kind") == "grasper"] or list(tools)  # fmt: skip
+    last = next((step.get("tool") for step in reversed(assessment["steps"])), None)
+    return {"tool": last if last in fit else fit[0]}
 
 
 def change_step(assessment: Json, identity: str, values: Mapping[str, Any]) -> Json:
@@ -234,7 +246,7 @@ def add_limit(
     name = identity or make_id(measure, (limit["id"] for limit in limits))
     if any(limit["id"] == name for limit in limits):
         raise AuthorError(f"id: got {name!r} once more, expected one of its own")
-    when: Json = {"measure": measure}
+    when: Json = {"measure": measure, **choose_tool(made)}
     if measure in LIMIT_BOUNDS and not {"above", "below"} & set(values or ()):
         when["below" if measure == "clearance" else "above"] = LIMIT_BOUNDS[measure]
     apply_values(when, values or {})

@@ -4,31 +4,21 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
-from copy import copy
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-import palpate
 from palpate import scenario
 from palpate.assessment.author import without_muted
 from palpate.assessment.inclusion import gather_constants
+from palpate.assessment.instruments import shape_tools
 from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
-from palpate.scene.scene_file import build_tool, find_trocar
-from palpate.scene.scene_parts import ToolPart
 
 MOST_BYTES = 4 * 2**20
-SHAPES = {
-    *("radius_m", "length_m", "friction", "jaw_opening_rad", "grip_force_N"),
-    *("trocar_height_m", "trocar_side_m"),
-}
-"""What an assessment may say of a tool's shape."""
-MOST_INSTRUMENTS = 16
-"""Of a scene."""
 
 Json = dict[str, Any]
 
@@ -141,74 +131,6 @@ def take_attempt(
         assessment=published.assessment,
         assessment_arrays=published.assessment_arrays,
     )
-
-
-def shape_tools(file: object, assessment: Mapping[str, Any], scene: palpate.Scene) -> palpate.Scene:
-    """The scene with the tools that the assessment describes; itself where it describes none.
-
-    Raises Refusal for a tool that cannot touch what there is.
-    """
-    tools = assessment.get("tools")
-    if isinstance(tools, dict):
-        scene = add_instruments(tools.values(), scene)
-    for name, said in tools.items() if isinstance(tools, dict) else ():
-        if not isinstance(said, dict) or not SHAPES & set(said):
-            continue
-        row = said.get("instrument", 0)
-        if not isinstance(row, int) or not 0 <= row < len(scene.instruments):
-            continue  # what is wrong with it says the reader
-        try:
-            scene = shape_tool(said, row, scene)
-        except (TypeError, ValueError) as problem:
-            raise Refusal(
-                file, f"tools.{name}", str(problem), "a tool that can touch this organ"
-            ) from None
-    return scene
-
-
-def add_instruments(tools: Iterable[object], scene: palpate.Scene) -> palpate.Scene:
-    """The scene with as many instruments as tools are numbered, those beyond its own as the first
-    is; itself where it has them."""
-    rows = [said.get("instrument", 0) for said in tools if isinstance(said, dict)]
-    count = max((row + 1 for row in rows if isinstance(row, int)), default=1)
-    if not len(scene.instruments) < count <= MOST_INSTRUMENTS:
-        return scene  # what is wrong with it says the reader
-    first = scene.instruments[0]
-    more = [copy(first) for _ in range(count - len(scene.instruments))]
-    return palpate.build_scene(
-        palpate.Scene(
-            bodies=list(scene.bodies),
-            instruments=[*scene.instruments, *more],
-            gravity=scene.gravity,
-            rate=scene.rate,
-            exchange_rate=scene.exchange_rate,
-        )
-    )
-
-
-def shape_tool(said: Mapping[str, Any], row: int, scene: palpate.Scene) -> palpate.Scene:
-    """The scene with one tool as an assessment describes it. Raises ValueError or TypeError."""
-    before = scene.instruments[row].tool
-    length = before.capsules[0].to[2] if before.capsules else 0.0
-    part = ToolPart(
-        radius=float(said.get("radius_m", before.radius)),
-        stiffness=before.stiffness,
-        friction=float(said.get("friction", before.friction)),
-        length=float(said.get("length_m", length)),
-        trocar_height=float(said.get("trocar_height_m", ToolPart.trocar_height)),
-        jaw_opening=float(said.get("jaw_opening_rad", before.jaws.open if before.jaws else 0.0)),
-        grip_force=float(
-            said.get("grip_force_N", before.jaws.grip if before.jaws else ToolPart.grip_force)
-        ),
-    )
-    changed = copy(scene)
-    changed.instruments[row].tool = build_tool(part)
-    trocar = find_trocar(part, scene.bodies[0].tissue)
-    if trocar is not None:
-        trocar = trocar + np.array([float(said.get("trocar_side_m", 0.0)), 0.0, 0.0])
-    changed.instruments[row].trocar = trocar
-    scenario.check_ranges(changed)
-    return palpate.build_scene(changed)
 
 
 def refuse(file: object, sentence: str) -> Refusal:

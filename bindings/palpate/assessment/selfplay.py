@@ -4,15 +4,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, field
+from threading import Event
 from typing import Any
 
 import numpy as np
 
 import palpate
 from palpate import scenario
-from palpate.assessment.hands import HANDS, make_hand
+from palpate.assessment.hands import HANDS, make_hands
 from palpate.command.verb import Report
+from palpate.system.processor import count_processors
 
 SEEDS = 3
 """Of each level, before a task is published"""
@@ -27,10 +30,11 @@ class Attempt:
     hand: str
     drawn: scenario.DrawnTask
     state: palpate.TaskState
-    samples: list[palpate.HapticSample] = field(default_factory=list)
+    samples: list[list[palpate.HapticSample]] = field(default_factory=list)
+    """Of each instrument, per tick"""
     events: list[Any] = field(default_factory=list)
     forces: list[float] = field(default_factory=list)
-    """[N] size, per tick"""
+    """[N] size, per tick, the largest of all instruments"""
 
     def describe(self) -> Report:
         """In a line of a report."""
@@ -67,30 +71,35 @@ def attempt(
     drawn: scenario.DrawnTask,
     hand: str,
     stopped: Callable[[], bool] = never,
+    until_error: bool = False,
 ) -> Attempt:
     """One of HANDS at a task, in as many ticks as that takes; a jab is over with its first error,
-    for it cannot finish without one any more. `stopped` is asked every few ticks, and ends it.
+    for it cannot finish without one any more, and so is any hand where that is all that is asked
+    (`until_error`). `stopped` is asked every few ticks, and ends it.
     """
     task, dt = drawn.task, 1.0 / scene.rate
     world, progress = palpate.World(scene), palpate.Progress(task)
-    person = make_hand(hand, scene, task, drawn.seed)
-    command = palpate.HapticCommand()
-    played = Attempt(hand, drawn, progress.state)
+    hands = make_hands(hand, scene, task, drawn.seed)
+    commands = [palpate.HapticCommand() for _ in hands]
+    played = Attempt(hand, drawn, progress.state, [[] for _ in hands])
     tick = 0
     while played.state.outcome is palpate.Outcome.running:
-        person.move(tick * dt, dt, np.asarray(command.force), played.state)
-        sample = palpate.HapticSample(
-            time=tick * dt, position=person.position, buttons=person.buttons
-        )
-        command = palpate.tick(scene, sample, dt, world)
-        palpate.judge(task, world, [sample], [command], dt, progress)
-        played.samples.append(sample)
-        played.forces.append(float(np.linalg.norm(command.force)))
+        samples = []
+        for each, command, kept in zip(hands, commands, played.samples, strict=True):
+            each.move(tick * dt, dt, np.asarray(command.force), played.state)
+            sample = palpate.HapticSample(
+                time=tick * dt, position=each.position, buttons=each.buttons
+            )
+            samples.append(sample)
+            kept.append(sample)
+        commands = palpate.tick(scene, samples, dt, world)
+        palpate.judge(task, world, samples, commands, dt, progress)
+        played.forces.append(max(float(np.linalg.norm(each.force)) for each in commands))
         if progress.event_count:
             played.events.extend(progress.events)
         if progress.event_count or tick % GLANCE == 0:
             played.state = progress.state
-        if hand == "jab" and played.state.errors > 0:
+        if (until_error or hand == "jab") and played.state.errors > 0:
             played.state = progress.state
             break
         if tick % GLANCE == 0 and stopped():
@@ -103,22 +112,53 @@ def play_all(
     published: scenario.Scenario,
     seeds: Iterable[int],
     tell: Callable[[Attempt], None] = lambda played: None,
+    workers: int | None = None,
 ) -> list[Attempt]:
-    """Every hand at every level and seed; who does nothing, at one seed of each level."""
-    played = []
-    seeds = list(seeds)
+    """Every hand at every level and seed; who does nothing, at one seed of each level.
+
+    So many attempts run at once, each in a thread of its own, for a tick leaves Python to the
+    others; as many as there are processors without a number. `tell` hears of each as it ends, and
+    may raise, which gives up the others.
+    """
+    stop = Event()
+    jobs = list_jobs(published, list(seeds))
+    with ThreadPoolExecutor(workers or count_processors()) as pool:
+        begun = {pool.submit(play_job, job, stop): number for number, job in enumerate(jobs)}
+        played: dict[int, Attempt] = {}
+        try:
+            for future in as_completed(begun):
+                played[begun[future]] = one = future.result()
+                tell(one)
+        except BaseException:
+            stop.set()
+            pool.shutdown(cancel_futures=True)
+            raise
+    return [played[number] for number in range(len(jobs))]
+
+
+Job = tuple[palpate.Scene, scenario.DrawnTask, str]
+
+
+def list_jobs(published: scenario.Scenario, seeds: list[int]) -> list[Job]:
+    """Scene, task and hand of each attempt, in the order of a report."""
+    jobs: list[Job] = []
+    scenes: dict[str, palpate.Scene] = {}
     for level in scenario.list_levels(published) or [""]:
         for seed in seeds:
             drawn = scenario.draw_task(published, level, seed)
-            scene = scenario.draw_scene(published, drawn)
-            for hand in HANDS:
-                if hand == "idle" and seed != seeds[0]:
-                    continue
-                one = attempt(scene, drawn, hand)
-                one.samples.clear()
-                tell(one)
-                played.append(one)
-    return played
+            if drawn.inclusion not in scenes:
+                scenes[drawn.inclusion] = scenario.draw_scene(published, drawn)
+            hands = [hand for hand in HANDS if hand != "idle" or seed == seeds[0]]
+            jobs += [(scenes[drawn.inclusion], drawn, hand) for hand in hands]
+    return jobs
+
+
+def play_job(job: Job, stop: Event) -> Attempt:
+    scene, drawn, hand = job
+    # whether a clumsy hand errs is all that is asked of it
+    one = attempt(scene, drawn, hand, stop.is_set, until_error=hand == "clumsy")
+    one.samples.clear()
+    return one
 
 
 def judge_hands(played: Iterable[Attempt]) -> list[Report]:

@@ -39,10 +39,9 @@ def add_play(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fulcrum",
         type=quantity("m"),
-        default=0.0,
         metavar="LENGTH",
         help="from tip to handle: the arm is the handle of the instrument, which turns about its "
-        "trocar, and not its tip",
+        "trocar, and not its tip; 0: it is the tip. Default: as the scenario says",
     )
     parser.add_argument(
         "--headless", action="store_true", help="no window; needs a script or a real device"
@@ -90,7 +89,7 @@ def run_play(call: argparse.Namespace) -> Report:
         raise WrongCall(f"--seed: got {call.seed}, expected 0 or more")
     if call.file.is_dir():
         return show_folder(call)
-    if not 0.0 <= call.fulcrum <= LONGEST_SHAFT:
+    if call.fulcrum is not None and not 0.0 <= call.fulcrum <= LONGEST_SHAFT:
         raise WrongCall(f"--fulcrum: got {call.fulcrum:g} m, expected 0 to {LONGEST_SHAFT:g}")
     play = open_play(
         call.file,

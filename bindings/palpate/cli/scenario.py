@@ -20,7 +20,7 @@ from palpate.assessment.provenance import (
 from palpate.assessment.publish import read_assessment, require_assessment, with_assessment
 from palpate.assessment.selfplay import Attempt, judge_hands, play_all
 from palpate.assessment.texts import find_text
-from palpate.cli import scenario_author, scenario_values
+from palpate.cli import scenario_author, scenario_tools, scenario_values
 from palpate.cli.scenario_author import (
     CHANGES,
     describe_authored,
@@ -87,6 +87,7 @@ VALUES = {
     "level": ("add or remove a level", scenario_values.add_level),
     "parameter": ("set a number that levels change or a seed draws", scenario_values.add_parameter),
     "time": ("set the time limit", scenario_values.add_time),
+    "tool": ("say which instruments there are, and their shape", scenario_tools.add_tool),
     "record": ("take the band of a step from a recorded hand", scenario_values.add_record),
 }
 AUTHOR = {"new": run_new, "step": run_step, "limit": run_limit, **dict.fromkeys(CHANGES, run_value)}
@@ -126,9 +127,6 @@ def run_scenario(call: argparse.Namespace) -> Report:
         return {**report, "scenario": str(call.out), "problems": []}
     if not 1 <= call.seeds <= MOST_SEEDS:
         raise WrongCall(f"--seeds: got {call.seeds}, expected 1 to {MOST_SEEDS}")
-    if len(published.scene.instruments) != 1:
-        raise Refusal(call.file, "scene.instruments", str(len(published.scene.instruments)),
-                      "1, which is what a simulated hand moves")  # fmt: skip
     played = play_all(published, range(call.seeds), tell_attempt)
     if call.out is not None:
         scenario.write(call.out, with_selfplay(published, describe_selfplay(published, played)))

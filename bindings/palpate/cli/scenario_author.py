@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from palpate import scenario
-from palpate.assessment import author
+from palpate.assessment import author, author_tools
 from palpate.assessment.author import AuthorError, Json
 from palpate.assessment.publish import find_regions, read_assessment
-from palpate.cli import scenario_values
+from palpate.cli import scenario_tools, scenario_values
 from palpate.cli.scenario_places import add_at, find_place
 from palpate.command.output import add_output
 from palpate.command.verb import Report, WrongCall, quantity
@@ -77,6 +77,7 @@ def add_step(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--to", type=int, help="of --move: its number, counted from 1")
     parser.add_argument("--id", default="", help="of a new step; default: its verb")
     parser.add_argument("--do", choices=author.VERBS, help="another verb")
+    parser.add_argument("--tool", metavar="NAME", help="with which instrument it is done")
     add_at(parser)
     parser.add_argument("--force", dest="force_N", type=band_of("N"), help=f"0.2N..0.5N: {BAND}")
     parser.add_argument("--depth", dest="depth_m", type=band_of("m"), help="4mm..8mm")
@@ -107,6 +108,7 @@ def add_limit(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--below", type=read_bound, help="likewise")
     parser.add_argument("--for", dest="for_s", type=or_none(quantity("s")), help="default: 0.02s")
     parser.add_argument("--then", choices=author.CONSEQUENCES, default="")
+    parser.add_argument("--tool", metavar="NAME", help="of which instrument it is watched")
     add_at(parser)
     add_say(parser)
 
@@ -137,7 +139,7 @@ def run_limit(call: argparse.Namespace) -> Report:
 
 
 def run_value(call: argparse.Namespace) -> Report:
-    """place, text, level, parameter, time or record."""
+    """place, text, level, parameter, time, record or tool."""
     return run_change(CHANGES[call.action], call)
 
 
@@ -162,6 +164,7 @@ CHANGES: dict[str, Callable[[Json, argparse.Namespace], Json]] = {
     "parameter": scenario_values.change_parameter,
     "time": scenario_values.change_time,
     "record": scenario_values.change_recorded,
+    "tool": scenario_tools.change_tool,
 }
 
 
@@ -185,6 +188,8 @@ def change_step(made: Json, call: argparse.Namespace) -> Json:
         identity = call.change
         values |= {"do": call.do} if call.do else {}
         made = author.change_step(made, identity, {**values, **({"at": at} if at else {})})
+    if call.tool:
+        made = author_tools.give_step(made, identity, call.tool)
     say = made["steps"][author.find(made["steps"], identity)]["say"]
     return set_texts(made, say, call)
 
@@ -200,6 +205,9 @@ def change_limit(made: Json, call: argparse.Namespace) -> Json:
     names = ("above", "below", "for_s")
     values = {name: getattr(call, name) for name in names if getattr(call, name) is not None}
     values |= {"place": at} if at else {}
+    if call.tool:
+        author_tools.require_tool(made, call.tool)
+        values["tool"] = call.tool
     if call.add:
         made, identity = author.add_limit(made, call.add, values, call.then or "error", call.id)
     else:

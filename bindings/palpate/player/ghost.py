@@ -42,7 +42,7 @@ class Ghost(QObject):
     def is_offered(self) -> bool:
         """Not where it would give away what is to be found."""
         drawn = self.window.play.drawn
-        if drawn is None or len(self.window.scene.instruments) != 1:  # a hand moves one tool
+        if drawn is None:
             return False
         return all(step.verb is not palpate.TaskVerb.find for step in drawn.task.steps)
 
@@ -105,8 +105,9 @@ class Ghost(QObject):
         assert self.attempt is not None
         samples = self.attempt.samples
         scene, drawn = self.window.scene, self.attempt.drawn
-        options = palpate.LoopOptions(duration=len(samples) / scene.rate)
-        self.run = LiveRun(scene, palpate.ReplayDevice(samples), options=options, task=drawn.task)
+        options = palpate.LoopOptions(duration=len(samples[0]) / scene.rate)
+        devices = [palpate.ReplayDevice(each) for each in samples]
+        self.run = LiveRun(scene, devices, options=options, task=drawn.task)
         self._say(translate("Player", "A simulated hand shows how it is done. Esc leaves it."))
         self.run.start()
         self._timer.start()

@@ -3,11 +3,22 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 import palpate
-from palpate.runs.press import Place, PressScript, find_top, has_jaws, write_script
+from palpate.runs.press import (
+    Place,
+    PressScript,
+    find_place,
+    find_top,
+    has_jaws,
+    write_script,
+)
 
 PRESS = PressScript(depth=3e-3, speed=0.03, hold=0.2)
 """A press as a hand makes it: in the air, in contact and away again."""
+BESIDE = np.array([0.015, 0.0, 0.0])
+"""[m] Where an instrument presses, seen from where the one before it does."""
 GRASP = PressScript(depth=6e-3, pull=3e-3, speed=0.03, hold=0.2)
 """The same with jaws, which close at the depth and pull."""
 
@@ -17,19 +28,25 @@ def press_costs(
 ) -> palpate.SceneCosts:
     """Presses a scene from rest, as fast as the machine can, and measures every tick.
 
-    The first instrument presses the first body at `place`, at its top for None, by PRESS or, with
-    jaws, by GRASP; all others stay where the first begins. Runs in the calling thread, which
-    Python's lock does not hold up.
+    Every instrument presses the first body at once by PRESS or, with jaws, by GRASP: the first at
+    `place`, at its top for None, the others beside it. Runs in the calling thread, which Python's
+    lock does not hold up.
     Raises ValueError for a scene that is not from build_scene.
     """
     place = place or find_top(scene)
-    script = script or (GRASP if has_jaws(scene) else PRESS)
-    frames, times = write_script(place, scene.instruments[0].tool.radius, script, has_jaws(scene))
-    hand = palpate.ScriptedDevice(frames)
-    still = hand.read(0.0)
-    others = [still] * (len(scene.instruments) - 1)
-    ticks = round(times.end * scene.rate)
-    samples = [
-        sample for tick in range(ticks) for sample in (hand.read(tick / scene.rate), *others)
-    ]
+    hands = [write_hand(scene, place, i, script) for i in range(len(scene.instruments))]
+    ticks = round(max(end for _, end in hands) * scene.rate)
+    samples = [device.read(tick / scene.rate) for tick in range(ticks) for device, _ in hands]
     return palpate.measure_costs(scene, samples)
+
+
+def write_hand(
+    scene: palpate.Scene, place: Place, instrument: int, script: PressScript | None
+) -> tuple[palpate.ScriptedDevice, float]:
+    """The hand of one instrument, and when [s] it is done."""
+    if instrument > 0:
+        place = find_place(scene, place.point + instrument * BESIDE)
+    jaws = has_jaws(scene, instrument)
+    radius = scene.instruments[instrument].tool.radius
+    frames, times = write_script(place, radius, script or (GRASP if jaws else PRESS), jaws)
+    return palpate.ScriptedDevice(frames), times.end

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import palpate
-from palpate.runs.felt import read_force, read_touched
+from palpate.runs.felt import read_column, read_force, read_touched
 
 MARGIN = 0.2
 """[-] to both sides of what was seen."""
@@ -22,27 +22,32 @@ MOST_ROWS = 100
 DIGITS_N, DIGITS_M = 3, 4
 
 
-def find_bands(scene: palpate.Scene, record: palpate.Record, verb: str) -> dict[str, Any] | None:
-    """The values of a step that a hand has done, None where it has pressed nothing.
+def find_bands(
+    scene: palpate.Scene, record: palpate.Record, verb: str, instrument: int = 0
+) -> dict[str, Any] | None:
+    """The values of a step that a hand has done, None where its instrument has pressed nothing.
 
     Force: the median of what was felt above half of the peak; depth likewise.
     """
-    force = np.linalg.norm(read_force(record), axis=1)
-    touched = np.asarray(read_touched(record), dtype=bool)
+    force = np.linalg.norm(read_force(record, instrument), axis=1)
+    touched = np.asarray(read_touched(record, instrument), dtype=bool)
     if touched.sum() < SHORTEST or not force.max() > 0.0:
         return None
     meant = touched & (force > SHARE * force.max())
     if verb == "push":
         rows = np.flatnonzero(meant)[:: max(1, int(meant.sum()) // MOST_ROWS)]
-        seen = float(np.median(find_depths(scene, record.felt["position"][rows])))
+        tips = read_column(record, "felt", "position", instrument)[rows]
+        seen = float(np.median(find_depths(scene, tips, instrument)))
         if seen > 0.0:
             return {"depth_m": spread(seen, DIGITS_M), "force_N": None}
     return {"force_N": spread(float(np.median(force[meant])), DIGITS_N)}
 
 
-def find_depths(scene: palpate.Scene, tips: NDArray[np.float32]) -> NDArray[np.float64]:
+def find_depths(
+    scene: palpate.Scene, tips: NDArray[np.generic], instrument: int = 0
+) -> NDArray[np.float64]:
     """[m] (n,) of a tip below the surface of the first body at rest, as a task measures it."""
-    tissue, radius = scene.bodies[0].tissue, scene.instruments[0].tool.radius
+    tissue, radius = scene.bodies[0].tissue, scene.instruments[instrument].tool.radius
     x = np.asarray(palpate.compute_surface(tissue, tissue.rest_position))
     triangles = np.asarray(tissue.triangles)
     tree = palpate.AabbTree(x, triangles)

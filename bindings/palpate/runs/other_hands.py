@@ -24,13 +24,14 @@ LEAST_INSERTED = 0.02
 """[m] of a shaft beyond its trocar, where its tip is at the organ's top."""
 
 
-def name_hands(asked: Sequence[str], count: int) -> list[str]:
+def name_hands(asked: Sequence[str], count: int, hand: str = "") -> list[str]:
     """One for each of `count` instruments: as asked for, and where nothing is said the mouse where
-    the first is the mouse, which Tab gives to the next, else parked. Raises WrongCall for more."""
+    the first is the mouse, which Tab gives to the next, the simulated `hand` where the first is
+    one, else parked. Raises WrongCall for more."""
     if len(asked) > count:
         raise WrongCall(f"--device: got {len(asked)}, expected at most {count}, one an instrument")
-    names = list(asked) or [POINTER]
-    rest = POINTER if names[0] == POINTER else PARKED
+    names = [hand if hand and split_hand(name)[1] == hand else name for name in asked] or [POINTER]
+    rest = hand or (POINTER if names[0] == POINTER else PARKED)
     return names + [rest] * (count - len(names))
 
 
@@ -43,8 +44,11 @@ def park(scene: palpate.Scene, instrument: int) -> NDArray[np.float64]:
     return np.array(top.point) + np.array([aside * instrument, 0.0, HIGH + radius])
 
 
-def build_other(name: str, scene: palpate.Scene, instrument: int) -> palpate.HapticDevice:
-    """The device of an instrument after the first. Raises WrongCall, Refusal, OSError or
+def build_other(
+    name: str, scene: palpate.Scene, instrument: int, handle: float = 0.0
+) -> palpate.HapticDevice:
+    """The device of an instrument after the first; an arm may be its handle, so far [m] from its
+    tip. Raises WrongCall, Refusal, OSError or
     DeviceError."""
     if name == PARKED:
         return palpate.ScriptedDevice([palpate.KeyFrame(0.0, park(scene, instrument))])
@@ -52,7 +56,7 @@ def build_other(name: str, scene: palpate.Scene, instrument: int) -> palpate.Hap
         return palpate.SurfacePointer(scene, 0, instrument)
     arm, script = split_hand(name)
     if find_port(arm):
-        link = build_link(arm, find_centre(scene, instrument, 0.0))
+        link = build_link(arm, find_centre(scene, instrument, handle))
         link.open()
         return link.driver
     if arm == PLANT or not script:

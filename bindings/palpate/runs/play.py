@@ -13,6 +13,7 @@ import numpy as np
 
 import palpate
 from palpate.assessment.hands import HANDS
+from palpate.assessment.instruments import find_handle
 from palpate.assessment.publish import refuse, take_attempt
 from palpate.assessment.selfplay import attempt
 from palpate.assessment.texts import find_text
@@ -81,8 +82,8 @@ class Play:
     trocar; 0: it is the tip."""
     published: palpate.scenario.Scenario | None = None
     """As its file has it, before an attempt was drawn."""
-    samples: list[palpate.HapticSample] = field(default_factory=list)
-    """Of that hand, once it has played."""
+    samples: list[list[palpate.HapticSample]] = field(default_factory=list)
+    """Of that hand, once it has played, for each instrument."""
 
     def has_hand(self) -> bool:
         """False for a simulated hand whose attempt has to be computed first."""
@@ -95,14 +96,17 @@ class Play:
         if find_port(self.arm):
             return None
         if self.hand:
-            if not self.has_hand():  # seconds of work: a window has it done beside it before
-                assert self.drawn is not None
-                played = attempt(self.scenario.scene, self.drawn, self.hand)
-                self.samples = played.samples
-            return palpate.ReplayDevice(self.samples)
+            return palpate.ReplayDevice(self.play_hand()[0])
         if self.frames is not None:
             return palpate.ScriptedDevice(self.frames)
         return palpate.SurfacePointer(scene or self.scenario.scene)
+
+    def play_hand(self) -> list[list[palpate.HapticSample]]:
+        """What the simulated hand does with each instrument."""
+        if not self.has_hand():  # seconds of work: a window has it done beside it before
+            assert self.drawn is not None
+            self.samples = attempt(self.scenario.scene, self.drawn, self.hand).samples
+        return self.samples
 
     def build_device(self, hand: palpate.HapticDevice | None = None) -> palpate.HapticDevice:
         """The device of one run, held by `hand` (of build_hand). Raises DeviceError, WrongCall."""
@@ -127,16 +131,26 @@ class Play:
     def build_others(self) -> list[palpate.HapticDevice]:
         """The devices of the instruments after the first. Raises as build_other does."""
         scene = self.scenario.scene
-        return [build_other(name, scene, i) for i, name in enumerate(self.others, start=1)]
+        return [
+            palpate.ReplayDevice(self.play_hand()[i])
+            if self.hand and name == self.hand
+            else build_other(name, scene, i, find_handle(self.scenario, i))
+            for i, name in enumerate(self.others, start=1)
+        ]
 
     def join_devices(
         self, device: palpate.HapticDevice, others: Sequence[palpate.HapticDevice]
     ) -> palpate.HapticDevice | list[palpate.HapticDevice]:
         """What the loop takes: a device, or one for each instrument; a handle says where its tip
         is."""
-        fulcrum = find_fulcrum(self.scenario.scene, 0, self.fulcrum) if self.arm else None
+        scene = self.scenario.scene
+        fulcrum = find_fulcrum(scene, 0, self.fulcrum) if self.arm else None
         first = device if fulcrum is None else palpate.FulcrumDevice(device, fulcrum)
-        return [first, *others] if others else first
+        if not others:
+            return first
+        handles = [find_handle(self.scenario, i) for i in range(1, len(others) + 1)]
+        held = zip(others, handles, strict=True)
+        return [first, *(hold_handle(each, scene, i, h) for i, (each, h) in enumerate(held, 1))]
 
     def find_safety(self, device: palpate.HapticDevice) -> palpate.SafetyLimits:
         """What a device may be sent: a real arm, or a simulated one, by its calibration."""
@@ -237,6 +251,14 @@ def find_driver(device: palpate.HapticDevice) -> palpate.SerialDevice | None:
     return driver if isinstance(driver, palpate.SerialDevice) else None
 
 
+def hold_handle(
+    device: palpate.HapticDevice, scene: palpate.Scene, instrument: int, length: float
+) -> palpate.HapticDevice:
+    """The device of an instrument's tip: an arm may be its handle, `length` [m] from there."""
+    fulcrum = find_fulcrum(scene, instrument, length if find_driver(device) else 0.0)
+    return device if fulcrum is None else palpate.FulcrumDevice(device, fulcrum)
+
+
 def describe_device(device: palpate.HapticDevice) -> str | None:
     """What an arm says of itself, a fault that has cut its motors first of all."""
     driver = find_driver(device)
@@ -261,10 +283,13 @@ def open_play(
     duration: float | None = None,
     level: str = "",
     seed: int = 0,
-    fulcrum: float = 0.0,
+    fulcrum: float | None = None,
 ) -> Play:
     """What `palpate play` was asked to play. `device` is that of the first instrument, or of each
-    of several. Raises FileError, Refusal, WrongCall or OSError."""
+    of several; `fulcrum` [m] is of the first where it is not the scenario's.
+
+    Raises FileError, Refusal, WrongCall or OSError.
+    """
     if not is_published(path):
         raise Refusal(
             path, "", f"a name ending in {path.suffix!r}", f"a published file, {PUBLISHED}"
@@ -278,7 +303,9 @@ def open_play(
     if record is not None and record.exists() and record.samefile(path):
         raise WrongCall("--record: is the scenario itself")
     scenario = published = palpate.scenario.read(path)
-    names = name_hands(asked, len(scenario.scene.instruments))
+    names = name_hands(asked, len(scenario.scene.instruments), hand)
+    if fulcrum is None:
+        fulcrum = find_handle(scenario, 0) if arm else 0.0
     if fulcrum > 0.0 and not arm:
         raise WrongCall("--fulcrum: got no arm, expected --device plant or serial:PATH beside it")
     find_fulcrum(scenario.scene, 0, fulcrum)

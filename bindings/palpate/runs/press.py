@@ -95,9 +95,8 @@ def take_surface(scene: palpate.Scene, body: int) -> tuple[np.ndarray, np.ndarra
     return np.asarray(x), np.asarray(tissue.triangles)
 
 
-def has_jaws(scene: palpate.Scene) -> bool:
-    """Whether the first instrument has."""
-    return scene.instruments[0].tool.jaws is not None
+def has_jaws(scene: palpate.Scene, instrument: int = 0) -> bool:
+    return scene.instruments[instrument].tool.jaws is not None
 
 
 def write_script(

@@ -15,6 +15,7 @@ CHANGES = {
     "new": phrase("Begin a scenario"),
     "step": phrase("Add a step"),
     "change": phrase("Change a step"),
+    "tool": phrase("Change an instrument"),
     "order": phrase("Order the steps"),
     "duplicate": phrase("Duplicate a step"),
     "mute": phrase("Mute a step"),

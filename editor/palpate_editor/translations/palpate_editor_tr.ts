@@ -29,6 +29,70 @@
         <translation>Bir adım; eylem, yer ve kuvvet ya da derinlik aralığıdır. Hepsi istediğiniz süre boyunca sağlanınca tamamlanır ve sonraki başlar.</translation>
     </message>
     <message>
+        <source>Add an instrument</source>
+        <translation>Alet ekle</translation>
+    </message>
+    <message>
+        <source>Instruments</source>
+        <translation>Aletler</translation>
+    </message>
+    <message>
+        <source>Kind of {name}</source>
+        <translation>{name} türü</translation>
+    </message>
+    <message>
+        <source>as in Material</source>
+        <translation>Malzemedeki gibi</translation>
+    </message>
+    <message>
+        <source>Trocar to the side</source>
+        <translation>Trokarın yana kayması</translation>
+    </message>
+    <message>
+        <source>Tip to handle</source>
+        <translation>Uçtan tutamağa</translation>
+    </message>
+    <message>
+        <source>With which instrument</source>
+        <translation>Hangi aletle</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Bilye</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Prob</translation>
+    </message>
+    <message>
+        <source>Laparoscope</source>
+        <translation>Laparoskop</translation>
+    </message>
+    <message>
+        <source>Grasper</source>
+        <translation>Kavrayıcı</translation>
+    </message>
+    <message>
+        <source>Syringe</source>
+        <translation>Şırınga</translation>
+    </message>
+    <message>
+        <source>Instruments are those of the Test stage too, where Tab gives the mouse to the next one. What each costs of a tick stands in the budget bar.</source>
+        <translation>Aletler Deneme aşamasında da vardır; orada Tab fareyi bir sonrakine verir. Her birinin bir tikten ne aldığı bütçe çubuğunda yazar.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Sürtünme</translation>
+    </message>
+    <message>
+        <source>Grip force</source>
+        <translation>Kavrama kuvveti</translation>
+    </message>
+    <message>
+        <source>Trocar height</source>
+        <translation>Trokar yüksekliği</translation>
+    </message>
+    <message>
         <source>Add a limit</source>
         <translation>Sınır ekle</translation>
     </message>
@@ -3700,6 +3764,10 @@ Beklenen: {expected}.</translation>
         <translation>Senaryoya başla</translation>
     </message>
     <message>
+        <source>Change an instrument</source>
+        <translation>Bir aleti değiştir</translation>
+    </message>
+    <message>
         <source>Change a step</source>
         <translation>Adımı değiştir</translation>
     </message>
@@ -5206,14 +5274,6 @@ Beklenen: {expected}.</translation>
     <message>
         <source>a task that careful hands finish, and idle or violent ones do not</source>
         <translation>dikkatli ellerin bitirdiği, hareketsiz ya da sert ellerin bitiremediği bir görev</translation>
-    </message>
-    <message>
-        <source>{count} tools, and simulated hands move one</source>
-        <translation>{count} alet; simüle eller bir aleti hareket ettirir</translation>
-    </message>
-    <message>
-        <source>one tool</source>
-        <translation>tek alet</translation>
     </message>
 </context>
 <context>

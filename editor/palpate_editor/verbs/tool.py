@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass
 from pathlib import Path
 
 from palpate.command.output import add_output
@@ -12,6 +11,7 @@ from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import ORGAN
 from palpate.files.refusal import Refusal
 from palpate.runs.costs import press_costs
+from palpate.scene.instrument_kinds import KINDS
 
 from palpate_editor.check import split_refusal
 from palpate_editor.compile import compile_organ
@@ -22,41 +22,27 @@ from palpate_editor.document.idle import find_idle
 from palpate_editor.edits import Edit, SetConstant
 from palpate_editor.verbs.files import ReadFile, apply, open_any
 
-
-@dataclass(frozen=True)
-class Shape:
-    """The usual numbers of an instrument, as `meshes/published/tools` draws it."""
-
-    radius: float
-    """[m]"""
-    length: float
-    """[m]"""
-    friction: float
-    """[-] Smooth metal on wet serosa has 0.05 to 0.15, profiled jaws 0.3 to 0.8
-    (core/CONTACT.md)."""
-    jaw_opening: float = 0.0
-    """[rad]"""
-
-
-SHAPES = {
-    "ball": Shape(3e-3, 0.0, 0.0),
-    "probe": Shape(2.5e-3, 0.02, 0.1),
-    "laparoscope": Shape(5e-3, 0.02, 0.1),
-    "grasper": Shape(1.2e-3, 0.02, 0.5, 0.52),
-}
 EXPECTED = {
     "trocar_height": "a length above 0, or none of it",
     "jaw_opening": "a length above 0, or none of it",
     "grip_force": "jaws that open, or none of it",
 }
 """What a number that has no effect asks for."""
-NUMBERS = ("radius", "length", "friction", "trocar_height", "jaw_opening", "grip_force")
+OPTIONS = {
+    "radius": "--radius",
+    "length": "--length",
+    "friction": "--friction",
+    "trocar_height": "--trocar-height",
+    "jaw_opening": "--jaw-opening",
+    "grip_force": "--grip-force",
+}
+"""Every number, and what it is called in a call."""
 
 
 def add_tool(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, help=".organ, .palpate, or OBJ of `palpate import`")
     parser.add_argument(
-        "shape", nargs="?", choices=tuple(SHAPES), help="what it is; what it was without one"
+        "shape", nargs="?", choices=tuple(KINDS), help="what it is; what it was without one"
     )
     parser.add_argument("--radius", type=quantity("m"), help="of the tip and the shaft")
     parser.add_argument("--length", type=quantity("m"), help="of the shaft that touches; 0: a ball")
@@ -73,10 +59,10 @@ def add_tool(parser: argparse.ArgumentParser) -> None:
 
 def list_edits(call: argparse.Namespace) -> list[tuple[str, Edit]]:
     """What the call asks for, by its options: numbers count before those of the shape."""
-    shape = SHAPES.get(call.shape)
+    shape = KINDS.get(call.shape)
     edits: list[tuple[str, Edit]] = []
-    for name in NUMBERS:
-        option, value = "--" + name.replace("_", "-"), getattr(call, name)
+    for name, option in OPTIONS.items():
+        value = getattr(call, name)
         if value is None and shape is not None:
             option, value = "SHAPE", getattr(shape, name, None)
         if value is not None:
@@ -101,7 +87,7 @@ def run_tool(call: argparse.Namespace) -> Report:
         write_organ(call.out, organ)
     return {
         "file": str(call.file),
-        **{name: getattr(organ.tool, name) for name in NUMBERS},
+        **{name: getattr(organ.tool, name) for name in OPTIONS},
         "instrument_us": 1e6 * costs.instruments[0].median,
         "contact_us": 1e6 * costs.pairs[0].median,
         "tick_us": 1e6 * costs.tick.median,
@@ -111,12 +97,11 @@ def run_tool(call: argparse.Namespace) -> Report:
 
 def refuse_idle(call: argparse.Namespace, organ: Organ) -> None:
     """Refuses a number that has no effect on what touches."""
-    for name in NUMBERS:
+    for name, option in OPTIONS.items():
         constant = find_constant("tool", name)
         if getattr(call, name) is None or constant is None:
             continue
         if (idle := find_idle(constant, organ)) is not None:
-            option = "--" + name.replace("_", "-")
             found = f"{getattr(call, name):g}, which has no effect here: {idle.why}"
             raise Refusal(call.file, option, found, EXPECTED[name])
 

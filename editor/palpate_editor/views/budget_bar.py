@@ -11,6 +11,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
+from palpate_editor.compile import list_tools
 from palpate_editor.document import Organ
 from palpate_editor.views.budget import BODY, CONTACT, TOOL, Budget, Part, read_budget
 from palpate_editor.views.stages.facts import write_label
@@ -18,7 +19,7 @@ from palpate_editor.views.translations import quantity, tr
 
 COLOURS = {
     BODY: ("#3f8ae0", "#27a3a3", "#7a6ff0", "#5a9e3d"),
-    TOOL: ("#a05fc0", "#c06090"),
+    TOOL: ("#a05fc0", "#c06090", "#7f86d8", "#b98ad0"),
     CONTACT: ("#e08a2b", "#c9a227", "#d2603a", "#a8792f"),
 }
 """By kind, one part after the other; seen on a light and on a dark ground."""
@@ -41,7 +42,11 @@ def write_time(seconds: float) -> str:
 def find_budget(costs: palpate.SceneCosts, rate: float, organ: Organ) -> Budget | None:
     """Of the scene of an organ at `rate` [Hz]; None where nothing was measured."""
     body = organ.name or tr("Tissue")
-    return read_budget(costs, rate, [body], [tr("Tool")], tr("{tool} on {body}"))
+    named = list_tools(organ)
+    tools = sorted(named, key=lambda name: named[name].get("instrument", 0))
+    if len(tools) != len(costs.instruments):
+        tools = [tr("Tool")]
+    return read_budget(costs, rate, [body], tools, tr("{tool} on {body}"))
 
 
 class Stack(QWidget):

@@ -16,11 +16,12 @@ from palpate.runs.felt import read_force
 from palpate.runs.hand_record import find_bands
 from palpate.runs.press import PressScript, find_top
 from palpate.runs.run import run_script
-from palpate.viewport import FboView, GLView
+from palpate.viewport import FboView, GLView, PointerHands
 from palpate_editor.document import Organ
 from palpate_editor.open_organ import open_organ
 from palpate_editor.surface_path import SPACING, follow_surface
 from palpate_editor.views.scenario import ScenarioPanel
+from palpate_editor.views.touch.runner import HandRequest
 from patience import PATIENCE, settle
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
@@ -270,3 +271,41 @@ def test_a_designer_makes_a_scenario_of_the_liver_in_under_30_clicks(
     tried = json.loads(made.assessment)["selfplay"]
     assert {row["hand"] for row in tried["attempts"]} == {"careful", "idle", "jab", "clumsy"}
     assert not [row for row in tried["problems"] if row["severity"] == "error"]
+
+
+def test_instruments_are_added_shaped_and_driven_in_the_test_stage(designer, checkout):
+    panel, window = designer.panel, designer.window
+    designer.button("new_scenario")
+    designer.add_step("grasp")
+    designer.choose(panel.tools.add, panel.tools.add.menu(), "add_tool_grasper")
+    assert list(panel.draft.tools) == ["tip", "grasper"]
+    assert panel.step_form.tool.isVisible()
+    designer.slide("grip_force_N_grasper", 0.4)
+    designer.slide("friction_grasper", 0.4)
+    said = designer.assessment["tools"]["grasper"]
+    assert (said["grip_force_N"], said["friction"]) == (8.0, 0.4)
+    panel.step_form.tool.setCurrentIndex(1)
+    panel.step_form.tool.activated.emit(1)
+    assert designer.assessment["steps"][0]["tool"] == "grasper"
+    row = panel.tools.rows[0]
+    row.kind.setCurrentIndex(row.kind.findData("laparoscope"))
+    row.kind.activated.emit(row.kind.currentIndex())
+    # what takes hold of something is a grasper's
+    assert designer.assessment["tools"]["tip"]["kind"] == "laparoscope"
+    settle(designer.qtbot, window)
+    designer.wait(lambda: panel.is_known())
+    assert len(panel.context.assessment.scene.instruments) == 2
+    designer.picture(checkout, "instruments")
+
+    designer.click(window.stage_bar.steps["test"])
+    window.test_panel.runner.start(HandRequest())
+    designer.wait(lambda: window.test_panel.runner.running)
+    hands = window.view.tool
+    assert isinstance(hands, PointerHands) and len(hands.hands) == 2
+    QTest.keyClick(window.view, Qt.Key.Key_Tab)
+    assert hands.active == 1
+    designer.wait(lambda: window.test_panel.budget.budget is not None)
+    names = [part.name for part in window.test_panel.budget.budget.parts]
+    assert {"tip", "grasper"} <= set(names)
+    designer.picture(checkout, "two_tools")
+    window.test_panel.runner.stop()

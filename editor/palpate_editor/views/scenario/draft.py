@@ -78,6 +78,12 @@ class Draft(QObject):
         return {} if self.assessment is None else dict(self.assessment.get("places", {}))
 
     @property
+    def tools(self) -> dict[str, Json]:
+        """The instruments by name, in their order."""
+        said = {} if self.assessment is None else self.assessment.get("tools", {})
+        return dict(sorted(said.items(), key=lambda item: item[1].get("instrument", 0)))
+
+    @property
     def organ_id(self) -> str:
         assert self.assessment is not None
         return next(iter(self.assessment["organs"]))

@@ -27,6 +27,7 @@ from palpate_editor.views.scenario.step_form import PATH, POINT, Choice, StepFor
 from palpate_editor.views.scenario.step_list import StepList
 from palpate_editor.views.scenario.text_table import TextTable
 from palpate_editor.views.scenario.time_line import TimeLine
+from palpate_editor.views.scenario.tool_list import ToolList
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel, Workers
 from palpate_editor.views.touch.force_plot import ForcePlot
@@ -62,6 +63,8 @@ class ScenarioPanel(StagePanel):
                "published as one to feel."),
             tr("A parameter is a number by name: levels give it other values, or the seed draws "
                "it. It can stand for a bound of a step or a limit."),
+            tr("Instruments are those of the Test stage too, where Tab gives the mouse to the next "
+               "one. What each costs of a tick stands in the budget bar."),
             tr("Simulated hands try the task out. They test its numbers, not what it teaches."),
         ]  # fmt: skip
 
@@ -109,6 +112,8 @@ class ScenarioPanel(StagePanel):
         self.step_form = self.step.add(StepForm(self.draft, self))
         self.step_form.draw_wanted.connect(self._draw)
         self.step_form.record_wanted.connect(self._record)
+        tools = self.section(tr("Instruments"))
+        self.tools = tools.add(ToolList(self.draft, self))
         limits = self.section(tr("Limits"))
         self.limits = limits.add(LimitList(self.draft, self))
         self.time = limits.add(NumberRow("time_limit", tr("Time limit"), "s", 1.0, 10.0, 60, self))
@@ -122,7 +127,7 @@ class ScenarioPanel(StagePanel):
         self.line = hands.add(TimeLine(self))
         self.played = hands.add(write_label("", "note", self))
         self.played.setWordWrap(True)
-        self.parts = [steps, limits, values, texts, hands]
+        self.parts = [steps, tools, limits, values, texts, hands]
         self.draft.shown.connect(self._show_draft)
 
     def _build_play(self) -> QHBoxLayout:
@@ -282,7 +287,9 @@ class ScenarioPanel(StagePanel):
         step = self.draft.step
         if step is None:
             return
-        values = find_bands(outcome.scene, outcome.record, str(step["do"]))
+        tool = self.draft.tools.get(str(step.get("tool")), {})
+        row = int(tool.get("instrument", 0))
+        values = find_bands(outcome.scene, outcome.record, str(step["do"]), row)
         if values is None:
             self.context.tell(tr("Nothing was pressed, so the band stays as it was."), "info")
         else:

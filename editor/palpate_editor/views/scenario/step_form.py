@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from palpate.assessment import author
+from palpate.assessment import author, author_tools
 from palpate.assessment.author import Json
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.views.scenario.band_row import BandRow, NumberRow
 from palpate_editor.views.scenario.draft import Draft
@@ -44,6 +44,7 @@ class StepForm(QWidget):
         super().__init__(parent)
         self.draft = draft
         self._writing = False
+        self.labels: dict[str, QLabel] = {}
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(7)
@@ -53,6 +54,9 @@ class StepForm(QWidget):
         self.verb.activated.connect(self._set_verb)
         self.place = self._choice("step_place", tr("Where"), column)
         self.place.activated.connect(self._set_place)
+        self.tool = self._choice("step_tool", tr("With which instrument"), column)
+        self.tool_label = self.labels["step_tool"]
+        self.tool.activated.connect(self._set_tool)
         column.addLayout(self._build_draw())
         self.bands = {
             "force_N": BandRow("force", tr("Force"), "N", 1.0, 0.05, 100, self),
@@ -85,6 +89,7 @@ class StepForm(QWidget):
         box.setAccessibleName(text)
         column.addWidget(label)
         column.addWidget(box)
+        self.labels[name] = label
         return box
 
     def _build_draw(self) -> QHBoxLayout:
@@ -117,6 +122,7 @@ class StepForm(QWidget):
         verb = str(step.get("do"))
         self.verb.setCurrentIndex(max(self.verb.findData(verb), 0))
         self._list_places(step)
+        self._list_tools(step)
         wanted = OF_VERB.get(verb, ())
         for key, row in self.bands.items():
             row.setVisible(key in wanted)
@@ -146,6 +152,16 @@ class StepForm(QWidget):
         self.place.setCurrentIndex(self.place.findData(at))
         self.place.setEnabled(str(step.get("do")) != "release" or bool(at))
 
+    def _list_tools(self, step: Json) -> None:
+        """Where there is a choice."""
+        tools = self.draft.tools
+        self.tool.clear()
+        for name in tools:
+            self.tool.addItem(name, name)
+        self.tool.setCurrentIndex(self.tool.findData(step.get("tool", next(iter(tools), ""))))
+        for widget in (self.tool, self.tool_label):
+            widget.setVisible(len(tools) > 1)
+
     def end_drawing(self) -> None:
         for button in self.draw.values():
             button.setChecked(False)
@@ -169,6 +185,12 @@ class StepForm(QWidget):
             self.draft.set_place(region, self.draft.of_region(region))
         elif self.draft.assessment is not None:
             self.draft.set_at(self.draft.assessment, chosen)
+
+    def _set_tool(self) -> None:
+        if self.draft.step is not None:
+            tool = str(self.tool.currentData())
+            self.draft.change("tool", author_tools.give_step, self.draft.step["id"], tool)
+            self.draft.shown.emit()  # what was refused is shown as it was
 
     def _set_band(self, band: list[float | None]) -> None:
         if not self._writing:

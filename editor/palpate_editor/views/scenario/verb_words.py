@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from palpate.assessment import author, author_values
+from palpate.assessment import author, author_tools, author_values
 from palpate.assessment.author import Json
 
 Words = list[str]
@@ -103,6 +103,23 @@ def say_use_in_limit(identity: str, name: str, unit: str) -> Words:
     return ["limit", "--change", identity, f"--above=${name}"]
 
 
+TOOL_OPTIONS = {
+    "radius_m": ("--radius", "m"), "length_m": ("--length", "m"), "friction": ("--friction", ""),
+    "jaw_opening_rad": ("--jaw-opening", ""), "grip_force_N": ("--grip-force", "N"),
+    "trocar_height_m": ("--trocar-height", "m"), "trocar_side_m": ("--trocar-side", "m"),
+    "fulcrum_m": ("--fulcrum", "m"),
+}  # fmt: skip
+
+
+def say_tool(name: str, values: Mapping[str, Any]) -> Words:
+    words = ["tool", "--set", name]
+    for member, value in values.items():
+        if member in TOOL_OPTIONS and value is not None:
+            option, unit = TOOL_OPTIONS[member]
+            words.append(f"{option}={value!r}{unit}")
+    return words
+
+
 SAYINGS: dict[Callable[..., Any], Callable[..., Words]] = {
     author.change_step: say_step,
     author.duplicate_step: lambda identity: ["step", "--duplicate", identity],
@@ -112,6 +129,10 @@ SAYINGS: dict[Callable[..., Any], Callable[..., Words]] = {
     author.change_limit: say_limit,
     author.remove_limit: lambda identity: ["limit", "--remove", identity],
     author.set_text: say_text,
+    author_tools.set_kind: lambda name, kind: ["tool", "--set", name, "--kind", kind],
+    author_tools.set_tool: say_tool,
+    author_tools.remove_tool: lambda name: ["tool", "--remove", name],
+    author_tools.give_step: lambda step, name: ["step", "--change", step, "--tool", name],
     author_values.set_time: lambda seconds: ["time", f"{seconds!r}s"],
     author_values.add_level: lambda name: ["level", "--add", name],
     author_values.remove_level: lambda name: ["level", "--remove", name],

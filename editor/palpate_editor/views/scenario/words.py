@@ -24,6 +24,13 @@ def say_verb(verb: str) -> str:
     }.get(verb, verb)  # fmt: skip
 
 
+def say_tool_kind(kind: str) -> str:
+    return {
+        "ball": tr("Ball"), "probe": tr("Probe"), "laparoscope": tr("Laparoscope"),
+        "grasper": tr("Grasper"), "syringe": tr("Syringe"),
+    }.get(kind, kind)  # fmt: skip
+
+
 def say_measure(measure: str) -> str:
     return {
         "force": tr("Force"), "force_rate": tr("Rate of force"), "contact": tr("Contact"),

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 from numpy.typing import NDArray
-from palpate.runs.felt import read_force
+from palpate.runs.felt import read_column, read_force
 from palpate.runs.press import Place, PressTimes, measure_press
 from palpate.runs.run import describe_build
 
@@ -36,7 +36,7 @@ class Outcome:
     @property
     def time(self) -> NDArray[np.float64]:
         """[s] (n,)"""
-        return np.asarray(self.record.hand["time"], dtype=float)
+        return np.asarray(read_column(self.record, "hand", "time"), dtype=float)
 
     @property
     def force(self) -> NDArray[np.float64]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from palpate.runs.cause import Cause
 from palpate.runs.element import Element
 from palpate.runs.live import Frame
+from palpate.runs.other_hands import park
 from palpate.runs.press import (
     Place,
     PressScript,
@@ -23,7 +24,7 @@ from palpate.runs.press import (
     has_jaws,
     write_script,
 )
-from palpate.viewport import FboView, GLView, PointerHand, ViewTool
+from palpate.viewport import FboView, GLView, PointerHands, ViewTool
 from PySide6.QtCore import QObject, Signal
 
 from palpate_editor.compile import is_built_alike
@@ -152,21 +153,24 @@ class Runner(QObject):
     ) -> None:
         self._count += 1
         duration, self._script = 0.0, None
+        count = len(scene.instruments)
         if isinstance(request, HandRequest):
-            device = palpate.SurfacePointer(scene)
+            devices = [palpate.SurfacePointer(scene, 0, i) for i in range(count)]
             self._name = tr("Hand {count}").format(count=self._count)
         else:
             place = find_target(scene, request.place)
             frames, times = write_script(
                 place, scene.instruments[0].tool.radius, request.script, has_jaws(scene)
             )
-            device, duration = palpate.ScriptedDevice(frames), times.end
+            waiting = [palpate.KeyFrame(0.0, park(scene, i)) for i in range(1, count)]
+            devices = [palpate.ScriptedDevice(each) for each in (frames, *([w] for w in waiting))]
+            duration = times.end
             self._script = place, times
             self._name = tr("Press {count}").format(count=self._count)
         record = Path(self._folder.name) / f"run{self._count}.prec"
         view = self.context.view
         try:
-            self.trial = Trial(view, scene, device, record, duration, self)
+            self.trial = Trial(view, scene, devices, record, duration, self)
         except OSError as problem:
             self.request = None
             self.context.refuse(problem)
@@ -177,7 +181,7 @@ class Runner(QObject):
         self.trial.ended.connect(self._end)
         self._tool_before = view.tool
         if isinstance(request, HandRequest):
-            view.tool = PointerHand(view, device, scene)
+            view.tool = PointerHands(view, list(enumerate(devices)), scene)
         self._frames = 0
         self.plot.begin(self._name)
         self.costs.clear()
@@ -204,7 +208,7 @@ class Runner(QObject):
     def _end(self, report: palpate.LoopReport) -> None:
         trial, self.trial, self.request = self.trial, None, None
         view = self.context.view
-        if isinstance(view.tool, PointerHand):
+        if isinstance(view.tool, PointerHands):
             view.tool = self._tool_before
             view.hint.say(None)
         trial.clear_view()
@@ -263,7 +267,7 @@ class Runner(QObject):
         if len(record.hand) == 0:
             return None
         script = self._script
-        if script is not None and record.hand["time"][-1] < script[1].held:
+        if script is not None and np.max(record.hand["time"]) < script[1].held:
             script = None  # it was stopped before it could be measured
         felt = read_felt(record, trial.scene.instruments[0].tool.radius, script)
         device = trial.device.name()

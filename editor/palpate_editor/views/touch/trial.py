@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -42,23 +43,27 @@ class Trial(QObject):
         self,
         view: View,
         scene: palpate.Scene,
-        device: palpate.HapticDevice,
+        devices: Sequence[palpate.HapticDevice],
         record: Path,
         duration: float = 0.0,
         parent: QObject | None = None,
     ):
-        """`duration` [s] ends the run by itself; 0 for never."""
+        """`devices` are one for each instrument; `duration` [s] ends the run, 0 for never."""
         super().__init__(parent)
-        self.view, self.scene, self.device, self.record = view, scene, device, record
+        self.view, self.scene, self.record = view, scene, record
+        self.device = devices[0]
         options = palpate.LoopOptions()
         options.duration, options.measures_costs = duration, True
-        self.run = LiveRun(scene, device, record=record, options=options)
+        driven = list(devices) if len(devices) > 1 else self.device
+        self.run = LiveRun(scene, driven, record=record, options=options)
         self.report: palpate.LoopReport | None = None
         self.problem: OSError | None = None
         """Why the record is not whole."""
+        # the inner face of a wall, which is not shown, stands behind the outer one
+        shown = int(np.max(scene.bodies[0].tissue.triangles)) + 1
         self._rest = palpate.compute_surface(
             scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position
-        )
+        )[:shown]
         self._top = LEAST_TOP
         diagonal = float(palpate.compute_diagonal(self._rest))
         view.force_scale = ARROW * diagonal
@@ -109,7 +114,7 @@ class Trial(QObject):
             self.ended.emit(self.finish())
 
     def _show(self, frame: Frame) -> None:
-        position = np.asarray(frame.positions[0])
+        position = np.asarray(frame.positions[0])[: len(self._rest)]
         moved = np.linalg.norm(position - self._rest, axis=1)
         self._top = max(self._top, round_up(float(moved.max(initial=0.0))))
         self.view.move_surface(position)

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What ships is taken, pulled, held and let go again and again, without an alarm or drift."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from palpate import scenario
+from palpate.assessment.hand import Hand
+from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.runs.live import LiveRun
+from palpate_meshes.catalogue import PUBLISHED
+
+SCENARIOS = Path(__file__).resolve().parents[2] / "meshes" / "scenarios"
+SHIPPED = {"gallbladder_grasp": "gallbladder", "stomach_two_graspers": "stomach"}
+CYCLE = 3.0
+"""[s]"""
+FRAMES = (
+    *((0.0, 0.015, 0), (0.3, -0.012, 0), (0.35, -0.012, 1), (0.6, -0.012, 1)),
+    *((1.2, 0.006, 1), (2.2, 0.006, 1), (2.25, 0.006, 0), (2.5, 0.015, 0)),
+)
+"""[s] in a cycle, [m] over the surface at rest, and the button."""
+HELD = slice(1900, 2200)
+"""Ticks of a cycle in which nothing moves."""
+
+
+def open_scene(name: str) -> tuple[palpate.Scene, palpate.Task]:
+    path = SCENARIOS / f"{name}.json"
+    organ = scenario.read(PUBLISHED / f"{SHIPPED[name]}.palpate")
+    made = with_assessment(path, read_assessment(path), organ)
+    return made.scene, scenario.draw_task(made).task
+
+
+def write_grasps(
+    scene: palpate.Scene, task: palpate.Task, instrument: int, count: int
+) -> palpate.ScriptedDevice:
+    """An instrument at the place of its first step, again and again."""
+    hand = Hand(scene, task, instrument)
+    place = task.places[task.steps[hand.list_steps()[0]].place]
+    anchor, normal = hand.surface.find_anchor(place)
+    return palpate.ScriptedDevice(
+        [
+            palpate.KeyFrame(
+                number * CYCLE + time, hand.surface.above(anchor, normal, height), buttons=button
+            )
+            for number in range(count)
+            for time, height, button in FRAMES
+        ]
+    )
+
+
+def grasp(name: str, count: int) -> tuple[np.ndarray, bytes]:
+    """[N] (count, ticks of a cycle, instruments) size of what is felt, and the hash of the end."""
+    scene, task = open_scene(name)
+    devices = [write_grasps(scene, task, i, count) for i in range(len(scene.instruments))]
+    world, felt = palpate.World(scene), []
+    for tick in range(round(count * CYCLE * scene.rate)):
+        samples = [device.read(tick / scene.rate) for device in devices]
+        commands = palpate.tick(scene, samples, 1.0 / scene.rate, world)
+        assert not world.alarm, (tick, world.alarm)
+        felt.append([np.linalg.norm(command.force) for command in commands])
+    sizes = np.array(felt).reshape(count, -1, len(devices))
+    return sizes, palpate.compute_hash(world)
+
+
+def check(sizes: np.ndarray) -> None:
+    held = sizes[:, HELD]
+    assert held.min() > 0.2, "let go of"
+    assert (np.ptp(held, axis=1) < 0.01 * held.mean(axis=1) + 1e-3).all(), "drifts while held"
+    means = held.mean(axis=1)
+    assert (np.abs(means - means[0]) < 0.02 * means[0]).all(), means
+    assert sizes[:, -100:].max() == 0.0, "something is held on"
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("name", ["stomach_two_graspers"])
+def test_a_grasp_is_the_same_the_second_time_and_in_another_world(name):
+    sizes, found = grasp(name, 2)
+    check(sizes)
+    assert grasp(name, 2)[1] == found
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_minute_of_grasps_has_no_alarm_and_no_drift(name):
+    sizes, _ = grasp(name, round(60.0 / CYCLE))
+    check(sizes)
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_minute_of_grasps_in_the_live_loop_replays_to_the_bit(name, tmp_path):
+    """How late its ticks were is printed, and not asked for: it is of the machine."""
+    scene, task = open_scene(name)
+    count = round(60.0 / CYCLE)
+    devices = [write_grasps(scene, task, i, count) for i in range(len(scene.instruments))]
+    path = tmp_path / "grasps.prec"
+    options = palpate.LoopOptions(duration=count * CYCLE)
+    run = LiveRun(scene, devices, record=path, header={}, options=options, task=None)
+    with run:
+        assert run.wait(count * CYCLE + 20.0)
+    costs = run.finish()
+    assert costs.alarm.kind is palpate.AlarmKind.none
+    assert palpate.replay(scene, palpate.read_record(str(path))).equal
+    told = f"{costs.ticks} ticks, {costs.missed_ticks} missed"
+    print(f"{name}: {told}, p99 {1e6 * costs.cost.p99:.0f} us")
