@@ -6,6 +6,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from palpate_meshes.generate.collecting_system import (
+    collecting_system,
+    collecting_system_regions,
+)
 from palpate_meshes.generate.gallbladder import gallbladder, gallbladder_regions
 from palpate_meshes.generate.kidney import kidney, kidney_regions
 from palpate_meshes.generate.kidney_stone import kidney_stone, kidney_stone_regions
@@ -22,6 +26,7 @@ GENERATORS: dict[str, tuple[Callable[..., Mesh], Callable[[np.ndarray, np.ndarra
     "simple_tissue": (simple_tissue, simple_tissue_regions),
     "spleen": (spleen, spleen_regions),
     "kidney": (kidney, kidney_regions),
+    "collecting_system": (collecting_system, collecting_system_regions),
     "kidney_stone": (kidney_stone, kidney_stone_regions),
     "gallbladder": (gallbladder, gallbladder_regions),
     "liver": (liver, liver_regions),

@@ -9,6 +9,7 @@ Right-handed, z up, -y the front, x the patient's left; triangles counter-clockw
 The same call gives the same mesh. `ellipsoid`, `sheet` and `tube` are plain shapes for tests.
 """
 
+from palpate_meshes.generate.collecting_system import collecting_system
 from palpate_meshes.generate.ellipsoid import ellipsoid
 from palpate_meshes.generate.gallbladder import gallbladder
 from palpate_meshes.generate.kidney import kidney
@@ -22,6 +23,7 @@ from palpate_meshes.generate.stomach import stomach
 from palpate_meshes.generate.tube import tube
 
 __all__ = [
+    "collecting_system",
     "ellipsoid",
     "gallbladder",
     "kidney",

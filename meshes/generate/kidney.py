@@ -56,7 +56,8 @@ def sinus(p: Array) -> Array:
     return ellipsoid_field(p, (-25, 0, 0), (25, 13.5, 22))
 
 
-def kidney_field(p: Array, seed: int) -> Array:
+def bean_field(p: Array) -> Array:
+    """The kidney itself, without pelvis and ureter."""
     q = to_own_axes(p)
     # the upper pole is broader than the lower
     broad = 1.0 + 0.0018 * q[:, 2]
@@ -64,8 +65,11 @@ def kidney_field(p: Array, seed: int) -> Array:
     d = ellipsoid_field(q, (0.0, 0.0, 0.0), (29.5, 22.5, 56.0), square=0.25)
     # a shallow bay, and in it the sinus between two lips
     d = cut(d, ellipsoid_field(p, (-37, 0, -1), (17, 32, 22)), 14.0)
-    d = cut(d, sinus(p), 5.0)
-    d = join(d, tube_field(p, PELVIS, 6), 3.0)
+    return cut(d, sinus(p), 5.0)
+
+
+def kidney_field(p: Array, seed: int) -> Array:
+    d = join(bean_field(p), tube_field(p, PELVIS, 6), 3.0)
     return d + bumps(p, 1.0, 22.0, seed)
 
 

@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+from itertools import pairwise
 
 import numpy as np
 import palpate
@@ -25,6 +26,7 @@ from palpate_meshes.catalogue import (
     read_tissues,
 )
 from palpate_meshes.gate import compute_closed_volume, find_faults
+from palpate_meshes.generate.collecting_system import ENTRY, LOWER, LUMEN, MOUTH
 
 ORGANS = read_catalogue()
 PAPER = {
@@ -37,6 +39,8 @@ PAPER = {
     "stomach": (3000, 5996),
 }
 """Name -> vertices and triangles as the paper has them."""
+OURS = {"collecting_system": (2800, 5596)}
+"""Those that the paper does not have."""
 SAMPLE = ["spleen", "kidney_stone"]
 """The organs made again in every run; ./run verify makes all of them."""
 SAME_PLACE = 1e-6
@@ -59,7 +63,7 @@ for name in sys.argv[2:]:
 
 
 def test_the_catalogue_has_the_meshes_of_the_paper():
-    assert {name: (e.vertices, e.triangles) for name, e in ORGANS.items()} == PAPER
+    assert {name: (e.vertices, e.triangles) for name, e in ORGANS.items()} == PAPER | OURS
     assert ORGANS["simple_tissue"].border == (22,)
     assert ORGANS["gallbladder"].border == (16,)
     assert set(GENERATORS) == set(ORGANS)
@@ -141,7 +145,8 @@ def test_what_a_processor_has_beside_changes_no_mesh(names, tmp_path, record_pro
     ("name", "vertices"),
     [("simple_tissue", 80), ("spleen", 250), ("kidney_stone", 300)]
     + [pytest.param(*organ, marks=pytest.mark.landing)
-       for organ in (("kidney", 1100), ("gallbladder", 1500), ("liver", 1200), ("stomach", 900))],
+       for organ in (("kidney", 1100), ("collecting_system", 2200), ("gallbladder", 1500),
+                     ("liver", 1200), ("stomach", 900))],
 )  # fmt: skip
 def test_another_resolution_has_exactly_the_vertices_asked_for(name, vertices):
     points, triangles = generate(name, vertices=vertices)
@@ -155,6 +160,19 @@ def test_another_resolution_has_exactly_the_vertices_asked_for(name, vertices):
     assert palpate.count_non_manifold_edges(mesh.triangles) == 0
     regions = find_regions(name, points, triangles)
     assert min(map(len, regions.values())) > 0
+
+
+def test_a_sheath_passes_from_outside_through_the_neck_into_the_pelvis():
+    """30 French are 10 mm across, the neck is 12 mm; the stone lies where the way ends."""
+    points, triangles = read_organ_mesh("collecting_system")
+    way = [MOUTH, ENTRY, LOWER[1][:3], LUMEN[1][:3]]
+    steps = np.linspace(0.0, 1.0, 20)[:, None]
+    along = np.concatenate([a + steps * (np.array(b) - a) for a, b in pairwise(map(np.array, way))])
+
+    surface = 1e3 * np.concatenate([points, points[triangles].mean(axis=1)])
+    apart = [np.linalg.norm(surface - p, axis=1).min() for p in along]
+
+    assert min(apart) > 4.5
 
 
 @pytest.mark.landing

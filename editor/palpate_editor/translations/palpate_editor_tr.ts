@@ -1145,6 +1145,10 @@
         <translation>Delikler siz istemeden kapatılmaz: açık bir yüzey içi boş bir organ ya da bir zar olabilir; o zaman duvar kalınlığı gerekir.</translation>
     </message>
     <message>
+        <source>Hollow kidney</source>
+        <translation>İçi boş böbrek</translation>
+    </message>
+    <message>
         <source>How far the tip goes below the surface</source>
         <translation>Ucun yüzeyin ne kadar altına ineceği</translation>
     </message>

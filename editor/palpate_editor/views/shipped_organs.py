@@ -23,6 +23,7 @@ def name_organs() -> dict[str, str]:
         "simple_tissue": tr("Simple tissue"),
         "spleen": tr("Spleen"),
         "kidney": tr("Kidney"),
+        "collecting_system": tr("Hollow kidney"),
         "kidney_stone": tr("Kidney stone"),
         "gallbladder": tr("Gallbladder"),
         "liver": tr("Liver"),
