@@ -40,6 +40,15 @@ def find_scattered_place(scene: palpate.Scene, number: int) -> Place:
     return find_place(scene, x[number * 7919 % len(x)])
 
 
+def is_open(scene: palpate.Scene, place: Place) -> bool:
+    """Whether a hand comes there straight from outside; within a hollow organ it would come out of
+    the wall behind it."""
+    tissue, n = scene.bodies[0].tissue, np.asarray(place.outward)
+    x = palpate.compute_surface(tissue, tissue.rest_position)
+    tree = palpate.AabbTree(x, tissue.triangles)
+    return palpate.find_ray_hit(tree, x, place.point + 1e-4 * n, n) is None
+
+
 def run_hand(scene: palpate.Scene, frames: list[palpate.KeyFrame]) -> Felt:
     """Up to the end of the script or the first alarm."""
     device, felt, dt = (

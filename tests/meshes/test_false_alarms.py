@@ -11,7 +11,14 @@ import pytest
 from palpate.runs.press import CLEARANCE, Place, find_top
 from palpate.runs.run import read_scene
 from palpate_editor.shipped import list_organs
-from scripted_hands import SPRINGS, find_scattered_place, open_organ_scene, press, run_hand
+from scripted_hands import (
+    SPRINGS,
+    find_scattered_place,
+    is_open,
+    open_organ_scene,
+    press,
+    run_hand,
+)
 from tiers import keep_everyday
 
 ORGANS = [entry.name for entry, _ in list_organs()]
@@ -58,7 +65,11 @@ def is_on_border(scene: palpate.Scene, place: Place) -> bool:
 def test_it_ends_none_at_forty_places_either(name):
     scene = open_organ_scene(name)
     places = {k: find_scattered_place(scene, k) for k in range(40)}
-    inside = {k: place for k, place in places.items() if not is_on_border(scene, place)}
+    inside = {
+        k: place
+        for k, place in places.items()
+        if is_open(scene, place) and not is_on_border(scene, place)
+    }
 
     ends = {k: press(scene, place, DEEP, FAST).alarm for k, place in inside.items()}
 
@@ -94,6 +105,8 @@ def poke(scene: palpate.Scene, seconds: float) -> palpate.AlarmKind:
     radius = scene.instruments[0].tool.radius
     for k in range(int(seconds)):
         place = find_scattered_place(scene, k)
+        if not is_open(scene, place):
+            continue
         out = np.asarray(place.outward)
         if frames:
             above = place.point + (radius + 20e-3) * out
