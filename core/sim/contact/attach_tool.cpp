@@ -187,11 +187,12 @@ double bound_shape_stiffness(const Shape& shape, bool with_holds, const Candidat
   for (std::size_t i = 0; !is_found && i < touchable.size(); ++i) {
     const Triangle& t = triangle(touchable[i]);
     const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
-    if (!find_shape_contact(shape, candidates.areas[i], at, a, b, c, contact)) continue;
+    const Openness open = find_openness(candidates, touchable[i]);
+    if (!find_shape_contact(shape, candidates.areas[i], at, a, b, c, contact, open)) continue;
     if (near) {
       const NearGain gain{candidates.near.gain, candidates.near.stiffening};
       const Contact closest = contact;
-      find_near_contact(*near, shape, closest, at, a, b, c, gain, contact);
+      find_near_contact(*near, shape, closest, at, open.side, a, b, c, gain, contact);
       contact.stiffness = bound_slope(tool, closest, contact);
     }
     largest = std::max(

@@ -117,6 +117,7 @@ Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3
 /// is, to the bit, so that it feels exactly 0 N. `stuck` [m] is where friction would keep it.
 Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, const Vec3& hand,
                       const Vec3& stuck, const Vec3& p) noexcept {
+  for (const TouchedSurface& surface : around.surfaces) follow_side(around.shape, surface, p);
   const Touch touch = compute_touch(around, p);
   const Vec3 to_hand = hand - p;
   if (touch.stiffness.isZero(0.0)) {

@@ -77,6 +77,7 @@ ContactLanes::ContactLanes(int capacity, std::string_view target, int capsules) 
     for (Column& column : axis) column.resize(size);
   }
   triangle.resize(size);
+  border.resize(size);
   for (Column& column : corners) column.resize(size);
   for (Column& column : weights) column.resize(size);
   for (Column& column : direction) column.resize(size);

@@ -2,6 +2,7 @@
 #include "palpate/sim/contact/contact_law.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -24,14 +25,19 @@ namespace {
 /// path: in a narrow dent the closest point of a wall lies on its edge and the centre is behind
 /// its plane, though outside. Seen nearly edge-on it fades, in proportion to the cosine: dropped
 /// at its full force, the wall of a dent would chatter for ever between seen and not seen.
+///
+/// Behind an open surface the side is the other one. At its border there is none: what lies beyond
+/// a border edge, along m in the triangle's plane, is pushed off it by as much as it does so, and
+/// rolls around it [contact: borders].
 bool fill_contact(const Tool& tool, double rest_area, const Vec3& arm, const SurfacePoint& closest,
-                  const Vec3& normal, Contact& contact) noexcept {
+                  const Vec3& normal, double beyond, double side, Contact& contact) noexcept {
   const double depth = tool.radius - closest.distance;
   contact.distance = closest.distance;
   if (!(depth > 0.0)) return false;
   double share = 1.0;
   if (closest.distance > kNoArm * tool.radius) {
-    const double facing = arm.dot(normal) / (closest.distance * normal.norm());
+    const double front = side * arm.dot(normal) / (closest.distance * normal.norm());
+    const double facing = std::max(front, beyond / closest.distance);
     if (!(facing > 0.0)) return false;
     share = std::min(1.0, facing / kFullFacing);
     contact.direction = arm / closest.distance;
@@ -39,7 +45,7 @@ bool fill_contact(const Tool& tool, double rest_area, const Vec3& arm, const Sur
     // the centre lies on the surface itself: the limit of the law as it comes down from outside
     const double length = normal.norm();
     if (!(length > 0.0)) return false;
-    contact.direction = normal / length;
+    contact.direction = side * normal / length;
   }
   // a stretched triangle stands for the area it has now: thinned out, the wall would let through
   const double k = share * tool.stiffness * std::max(rest_area, 0.5 * normal.norm());
@@ -48,6 +54,21 @@ bool fill_contact(const Tool& tool, double rest_area, const Vec3& arm, const Sur
   contact.force = k * depth / z;
   contact.stiffness = k / (z * z);
   return true;
+}
+
+/// [m] How far an arm goes beyond the border edges of a triangle, along its plane; 0 without any.
+double measure_beyond(const Openness& open, const Vec3& arm, const Vec3& normal, const Vec3& a,
+                      const Vec3& b, const Vec3& c) noexcept {
+  if (open.border == 0) return 0.0;
+  double beyond = 0.0;
+  const std::array<Vec3, 3> opposite = {c - b, a - c, b - a};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if ((open.border >> k & 1) == 0) continue;
+    const Vec3 outward = opposite[k].cross(normal);
+    const double length = outward.norm();
+    if (length > 0.0) beyond = std::max(beyond, arm.dot(outward) / length);
+  }
+  return beyond;
 }
 
 /// Of a point on the axis and the triangle.
@@ -99,21 +120,22 @@ AxisPoint find_on_axis(const Vec3& from, const Vec3& to, const Vec3& a, const Ve
   return best;
 }
 
-}  // namespace
-
-bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,
-                  const Vec3& b, const Vec3& c, Contact& contact) noexcept {
+bool find_ball_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,
+                       const Vec3& b, const Vec3& c, const Openness& open,
+                       Contact& contact) noexcept {
   const Box box = bound_triangle(a, b, c);
   const double squared_radius = tool.radius * tool.radius;
   if (!(compute_squared_distance(centre, box.low, box.high) < squared_radius)) return false;
   const SurfacePoint closest = find_closest_on_triangle(centre, a, b, c);
-  const Vec3 normal = (b - a).cross(c - a);
-  return fill_contact(tool, rest_area, centre - closest.point, closest, normal, contact);
+  const Vec3 normal = (b - a).cross(c - a), arm = centre - closest.point;
+  const double beyond = measure_beyond(open, arm, normal, a, b, c);
+  return fill_contact(tool, rest_area, arm, closest, normal, beyond, open.side, contact);
 }
 
 /// That of the ball about the point of the axis that is nearest to the triangle.
-bool find_capsule_contact(const Tool& tool, double rest_area, const Vec3& from, const Vec3& to,
-                          const Vec3& a, const Vec3& b, const Vec3& c, Contact& contact) noexcept {
+bool find_axis_contact(const Tool& tool, double rest_area, const Vec3& from, const Vec3& to,
+                       const Vec3& a, const Vec3& b, const Vec3& c, const Openness& open,
+                       Contact& contact) noexcept {
   const Box box = bound_triangle(a, b, c);
   const Box axis{from.cwiseMin(to), from.cwiseMax(to)};
   const Vec3 apart = (box.low - axis.high).cwiseMax(axis.low - box.high);
@@ -123,8 +145,22 @@ bool find_capsule_contact(const Tool& tool, double rest_area, const Vec3& from, 
   closest.weights = nearest.weights;
   closest.point = nearest.point;
   closest.distance = std::sqrt(nearest.square);
+  const Vec3 normal = (b - a).cross(c - a);
   const Vec3 arm = from + nearest.along * (to - from) - nearest.point;
-  return fill_contact(tool, rest_area, arm, closest, (b - a).cross(c - a), contact);
+  const double beyond = measure_beyond(open, arm, normal, a, b, c);
+  return fill_contact(tool, rest_area, arm, closest, normal, beyond, open.side, contact);
+}
+
+}  // namespace
+
+bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,
+                  const Vec3& b, const Vec3& c, Contact& contact) noexcept {
+  return find_ball_contact(tool, rest_area, centre, a, b, c, {}, contact);
+}
+
+bool find_capsule_contact(const Tool& tool, double rest_area, const Vec3& from, const Vec3& to,
+                          const Vec3& a, const Vec3& b, const Vec3& c, Contact& contact) noexcept {
+  return find_axis_contact(tool, rest_area, from, to, a, b, c, {}, contact);
 }
 
 Capsule open_jaw(const Tool& tool, std::size_t capsule, double angle) noexcept {
@@ -160,21 +196,43 @@ Vec3 find_nearest_on_axes(const Axes& axes, const Vec3& p, const Vec3& point) no
 }
 
 bool find_shape_contact(const Shape& shape, double rest_area, const Vec3& p, const Vec3& a,
-                        const Vec3& b, const Vec3& c, Contact& contact) noexcept {
-  if (shape.axes.count == 0) return find_contact(shape.tool, rest_area, p, a, b, c, contact);
+                        const Vec3& b, const Vec3& c, Contact& contact,
+                        const Openness& open) noexcept {
+  const Tool& tool = shape.tool;
+  if (shape.axes.count == 0) {
+    return find_ball_contact(tool, rest_area, p, a, b, c, open, contact);
+  }
   double nearest = std::numeric_limits<double>::infinity();
   bool touches = false;
   for (const Capsule& axis : shape.axes.list()) {
     Contact its;
     its.distance = std::numeric_limits<double>::infinity();
     const bool its_touches =
-        find_capsule_contact(shape.tool, rest_area, p + axis.from, p + axis.to, a, b, c, its);
+        find_axis_contact(tool, rest_area, p + axis.from, p + axis.to, a, b, c, open, its);
     if (!(its.distance < nearest)) continue;
     nearest = its.distance;
     touches = its_touches;
     contact = its;
   }
   return touches;
+}
+
+ClosestArm find_closest_arm(const Shape& shape, const Vec3& p, const Vec3& a, const Vec3& b,
+                            const Vec3& c) noexcept {
+  if (shape.axes.count == 0) {
+    const SurfacePoint closest = find_closest_on_triangle(p, a, b, c);
+    return {closest.weights, p - closest.point};
+  }
+  AxisPoint best;
+  ClosestArm nearest;
+  for (const Capsule& axis : shape.axes.list()) {
+    const Vec3 from = p + axis.from, to = p + axis.to;
+    const AxisPoint at = find_on_axis(from, to, a, b, c);
+    if (!(at.square < best.square)) continue;
+    best = at;
+    nearest = {at.weights, from + at.along * (to - from) - at.point};
+  }
+  return nearest;
 }
 
 }  // namespace palpate

@@ -43,8 +43,10 @@ struct ContactLanes {
   std::array<Column, 6> axis;     ///< [m] its ends off the tool's position, likewise
   Vec3 filled_at = Vec3::Zero();  ///< [m] all that lies within `reach` of this point is here
   double reach = -1.0;            ///< [m]
-  Vec3 centre = Vec3::Zero();     ///< [m] of the tip
-  bool found = false;             ///< what follows is that of `centre`
+  std::vector<unsigned char> border;  ///< as Candidates::border; empty where that is
+  double side = 1.0;                  ///< [-] -1 where triangles are touched from behind
+  Vec3 centre = Vec3::Zero();         ///< [m] of the tip
+  bool found = false;                 ///< what follows is that of `centre`
 
   std::array<Column, 3> weights;    ///< barycentric, of the closest points
   std::array<Column, 3> direction;  ///< unit, from there to the centre
@@ -69,8 +71,10 @@ struct Grip {
   }
 };
 
-/// What goes on from one substep to the next of contacts under a NearField.
+/// What goes on from one substep to the next of contacts with one surface: where that is open, the
+/// side by which it is touched; all else of contacts under a NearField.
 struct NearMemory {
+  double side = 1.0;              ///< [-] -1 behind an open one, 0 not known (border.cpp)
   Vec3 centre = Vec3::Zero();     ///< [m] of the tip, lifted
   bool found = false;             ///< all contacts are those of `centre`
   Vec3 lift = Vec3::Zero();       ///< [m] of the tip off the triangles: what they lack of the dent
@@ -118,6 +122,10 @@ struct Candidates {
   std::vector<int> triangles;  ///< capacity; the triangle count of the tissue is always enough
   std::vector<double> areas;   ///< [m²] at rest, so that pressing does not change the law
   int count = 0;
+  /// Per triangle of an open surface: bit k where the edge opposite corner k is a border of it.
+  /// Empty of a closed surface.
+  std::vector<unsigned char> border;
+  bool at_border = false;    ///< a triangle of the list has part in the border
   Vec3 from = Vec3::Zero();  ///< [m] the path they were looked for along
   Vec3 to = Vec3::Zero();    ///< [m]
   ContactLanes lanes;        ///< balance_tool's vector code and its work space; may be empty

@@ -6,8 +6,8 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/contact/contact_law.h"
-#include "palpate/sim/contact/private/along.h"
 #include "palpate/sim/contact/private/find_wall.h"
+#include "palpate/sim/contact/private/near_contact.h"
 #include "palpate/sim/contact/private/particle_forces.h"
 #include "palpate/sim/mesh/mesh.h"
 

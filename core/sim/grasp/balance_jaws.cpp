@@ -6,6 +6,7 @@
 
 #include "palpate/sim/base/private/limit.h"
 #include "palpate/sim/contact/private/broad_phase.h"
+#include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/grasp/private/jaw_touch.h"
 
 namespace palpate {
@@ -103,12 +104,22 @@ Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, cons
   return {step.head<3>(), std::clamp(angle + step[3], place.least, place.most) - angle};
 }
 
+/// Of open surfaces each jaw may be on another side.
+void follow_sides(const JawSurroundings& around, const JawPlace& place) noexcept {
+  for (int j = 0; j < 2; ++j) {
+    for (const TouchedSurface& surface : around.surfaces[static_cast<std::size_t>(j)]) {
+      follow_side(place.jaws.shape(j), surface, place.position);
+    }
+  }
+}
+
 /// Newton's steps, from where the substep begins.
 void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool soft,
             JawPlace& place) noexcept {
   const JawPlace start = place;
   const Candidates& path = *around.surfaces[0].front().candidates;
   for (int i = 0; i < (soft ? kNewtonStepsNear : kNewtonSteps); ++i) {
+    follow_sides(around, place);
     const JawTouch touch = compute_touch(around, place);
     Step step;
     if (!touch.touches && anchors.stiffness.isZero(0.0)) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
@@ -183,6 +184,8 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
     tool.grip_limit = instrument.tool.jaws->grip;
   }
   pairs.reserve(instruments.size() * bodies.size());
+  std::vector<std::vector<unsigned char>> borders;
+  for (const SoftBody& body : scene.bodies) borders.push_back(find_border(body.tissue.triangles));
   for (std::size_t i = 0; i < instruments.size(); ++i) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const int count = count_triangles(scene.bodies[b]);
@@ -190,6 +193,7 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
       // of jaws each has candidates of its own
       const int capsules = tool.jaws ? 1 : static_cast<int>(tool.capsules.size());
       pairs.push_back({Candidates(count, capsules), Load(count_pushes(tool, count))});
+      pairs.back().candidates.border = borders[b];
       if (const PackedKernel* packed = find_packed(bodies[b])) {
         pairs.back().candidates.lanes = ContactLanes(count, simd_target(*packed->model), capsules);
       }

@@ -78,7 +78,7 @@ TEST_CASE("where the barrier begins, the slope of a contact is the derivative of
     const Vec3 centre(0.0, -0.004, tool.radius - depth);
     Contact closest, contact;
     REQUIRE(find_contact(tool, 2e-4, centre, a, b, c, closest));
-    REQUIRE(find_near_contact(near, {tool, {}}, closest, centre, a, b, c, {}, contact));
+    REQUIRE(find_near_contact(near, {tool, {}}, closest, centre, 1.0, a, b, c, {}, contact));
     return contact;
   };
   for (const double x : {0.5, 0.7, 0.76, 0.8, 0.85, 0.89}) {

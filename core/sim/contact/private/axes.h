@@ -37,9 +37,26 @@ struct Shape {
 /// [m] The point of the axes of a shape at p [m] that is nearest to another; of a ball p itself.
 Vec3 find_nearest_on_axes(const Axes& axes, const Vec3& p, const Vec3& point) noexcept;
 
+/// How a triangle of an open surface is touched; of a closed one, as it is without.
+struct Openness {
+  double side = 1.0;         ///< [-] -1 where the tool is behind the surface
+  unsigned char border = 0;  ///< bit k where the edge opposite corner k is a border of it
+};
+
 /// The contact of a shape at p [m] with a triangle: of the capsule whose axis is nearest to it.
 bool find_shape_contact(const Shape& shape, double rest_area, const Vec3& p, const Vec3& a,
-                        const Vec3& b, const Vec3& c, Contact& contact) noexcept;
+                        const Vec3& b, const Vec3& c, Contact& contact,
+                        const Openness& open = {}) noexcept;
+
+/// The point of a triangle that is closest to a shape at p [m], and the arm from there to its axis,
+/// a ball's centre.
+struct ClosestArm {
+  Vec3 weights = Vec3::Zero();  ///< barycentric
+  Vec3 arm = Vec3::Zero();      ///< [m]
+};
+
+ClosestArm find_closest_arm(const Shape& shape, const Vec3& p, const Vec3& a, const Vec3& b,
+                            const Vec3& c) noexcept;
 
 /// All that a part of a tool may come near to on a path.
 struct SweptPart {

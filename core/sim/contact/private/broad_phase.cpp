@@ -28,8 +28,11 @@ void keep_each_once(int parts, std::size_t found, std::span<const double> rest_a
     end = std::unique(begin, end);
   }
   candidates.count = static_cast<int>(end - begin);
+  candidates.at_border = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
-    candidates.areas[i] = rest_areas[static_cast<std::size_t>(candidates.triangles[i])];
+    const auto t = static_cast<std::size_t>(candidates.triangles[i]);
+    candidates.areas[i] = rest_areas[t];
+    candidates.at_border |= !candidates.border.empty() && candidates.border[t] != 0;
   }
 }
 

@@ -178,11 +178,13 @@ HWY_INLINE void write_contacts_at(std::size_t at, double radius, double stiffnes
   const Real twice_area = hn::Sqrt(dot(normal, normal));
 
   const auto has_arm = hn::Gt(distance, hn::Set(kLanes, kNoArm * radius));
-  const Points arm = choose(has_arm, closest.arm, normal);
+  const Real side = hn::Set(kLanes, lanes.side);
+  const Points front = {hn::Mul(side, normal.x), hn::Mul(side, normal.y), hn::Mul(side, normal.z)};
+  const Points arm = choose(has_arm, closest.arm, front);
   const Real length = hn::IfThenElse(has_arm, distance, twice_area);
   const auto has_length = hn::Gt(length, zero);
   const Real inverse = hn::Div(one, hn::IfThenElse(has_length, length, one));
-  const Real facing = hn::Mul(dot(closest.arm, normal),
+  const Real facing = hn::Mul(dot(closest.arm, front),
                               hn::Div(inverse, hn::Max(twice_area, hn::Set(kLanes, 1e-300))));
   const Real share = hn::IfThenElse(
       has_arm, hn::Min(one, hn::Mul(facing, hn::Set(kLanes, 1.0 / kFullFacing))), one);

@@ -39,9 +39,11 @@ inline void fill_axis(const Capsule& axis, std::size_t number, std::size_t lane,
 
 inline void fill_lane(const TouchedSurface& surface, std::size_t candidate,
                       std::size_t lane) noexcept {
-  const int t = surface.candidates->triangles[candidate];
+  const Candidates& candidates = *surface.candidates;
+  const int t = candidates.triangles[candidate];
   ContactLanes& lanes = surface.candidates->lanes;
   lanes.triangle[lane] = t;
+  lanes.border[lane] = find_openness(candidates, t).border;
   lanes.rest_area[lane] = surface.candidates->areas[candidate];
   for (std::size_t c = 0; c < 3; ++c) {
     const Vec3& corner = corner_at(surface, t, c);
@@ -90,6 +92,40 @@ inline void fill_lanes(const TouchedSurface& surface, const Axes& axes, const Ve
   lanes.found = false;
 }
 
+/// The contact of a lane with the axis that it is for.
+inline bool find_lane_contact(const Shape& shape, const TouchedSurface& surface, const Vec3& p,
+                              std::size_t lane, Contact& contact) noexcept {
+  const ContactLanes& lanes = surface.candidates->lanes;
+  const int t = lanes.triangle[lane];
+  Shape one{shape.tool, {}};
+  if (shape.axes.count > 0) {
+    one.axes.capsules[0] = shape.axes.list()[static_cast<std::size_t>(lanes.capsule[lane])];
+    one.axes.count = 1;
+  }
+  return find_shape_contact(one, lanes.rest_area[lane], p, corner_at(surface, t, 0),
+                            corner_at(surface, t, 1), corner_at(surface, t, 2), contact,
+                            find_openness(*surface.candidates, t));
+}
+
+/// Again those of triangles with a border, which vector code knows nothing of.
+inline void find_at_border(const Shape& shape, const TouchedSurface& surface,
+                           const Vec3& p) noexcept {
+  ContactLanes& lanes = surface.candidates->lanes;
+  for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes.count); ++lane) {
+    if (lanes.border[lane] == 0) continue;
+    Contact contact;
+    lanes.force[lane] = lanes.stiffness[lane] = 0.0;
+    if (!find_lane_contact(shape, surface, p, lane, contact)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      lanes.weights[k][lane] = contact.weights[static_cast<Eigen::Index>(k)];
+      lanes.direction[k][lane] = contact.direction[static_cast<Eigen::Index>(k)];
+    }
+    lanes.distance[lane] = contact.distance;
+    lanes.force[lane] = contact.force;
+    lanes.stiffness[lane] = contact.stiffness;
+  }
+}
+
 /// Contacts at p of all lanes; once for each p. The tool's steps within a substep are far shorter
 /// than its radius, so that the lanes filled at its beginning mostly do for all.
 inline void find_in_lanes(const Shape& shape, const TouchedSurface& surface,
@@ -101,8 +137,10 @@ inline void find_in_lanes(const Shape& shape, const TouchedSurface& surface,
   }
   if (lanes.found && lanes.centre == p) return;
   lanes.centre = p;
+  lanes.side = find_openness(*surface.candidates, 0).side;
   const auto find = shape.axes.count == 0 ? lanes.find : lanes.find_capsules;
   find(lanes, radius, shape.tool.stiffness);
+  if (surface.candidates->at_border) find_at_border(shape, surface, p);
   lanes.found = true;
 }
 
@@ -158,7 +196,8 @@ void for_each_closest(const Shape& shape, const TouchedSurface& surface, const V
   for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
     const int t = candidates.triangles[i];
     if (find_shape_contact(shape, candidates.areas[i], p, corner_at(surface, t, 0),
-                           corner_at(surface, t, 1), corner_at(surface, t, 2), contact)) {
+                           corner_at(surface, t, 1), corner_at(surface, t, 2), contact,
+                           find_openness(candidates, t))) {
       take(t, contact);
     }
   }

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "palpate/sim/contact/private/along.h"
 #include "palpate/sim/contact/private/facets.h"
 #include "palpate/sim/contact/private/footprint.h"
 #include "palpate/sim/contact/private/local_press.h"
 #include "palpate/sim/contact/private/mesh_response.h"
+#include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {
 namespace {
@@ -132,8 +133,8 @@ NearGain find_gain(const NearField& near, const Shape& shape, const Patch& patch
   const double pressed = dent.part * patch.force + (1.0 - dent.part) * patch.whole / patch.force;
   const double lifted = contacts.lift.dot(dent.normal);
 
-  const LocalPress press{near.modulus, tool.radius, find_curvature(near, patch),
-                         contacts.mesh_compliance, length};
+  const double curvature = (contacts.side < 0.0 ? -1.0 : 1.0) * find_curvature(near, patch);
+  const LocalPress press{near.modulus, tool.radius, curvature, contacts.mesh_compliance, length};
   const LocalPress flat{near.modulus, tool.radius, 0.0, 0.0};
   const double on_mesh = std::max(left_in, 1e-3 * patch.depth / patch.force);
   const double seen = on_mesh + std::max(0.0, lifted) + dent.part * patch.facets.drop();
@@ -189,9 +190,15 @@ Contact combine(const Tool& tool, const Contact& closest, const Contact& soft,
   return contact;
 }
 
-/// Below the ball or the capsule, which with a near field is one.
-bool integrate(const NearPressure& law, const Axes& axes, const Vec3& p, const Vec3& a,
+/// Below the ball or the capsule, which with a near field is one. From behind, `side` -1, the
+/// triangle is the same one turned over.
+bool integrate(const NearPressure& law, const Axes& axes, const Vec3& p, double side, const Vec3& a,
                const Vec3& b, const Vec3& c, Footprint& part) noexcept {
+  if (side < 0.0) {
+    const bool pressed = integrate(law, axes, p, 1.0, a, c, b, part);
+    std::swap(part.weights[1], part.weights[2]);
+    return pressed;
+  }
   if (axes.count == 0) return integrate_footprint(law, p, a, b, c, part);
   const Capsule& axis = axes.capsules[0];
   return integrate_capsule_footprint(law, p + axis.from, p + axis.to, a, b, c, part);
@@ -246,7 +253,8 @@ Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const V
     contacts.contact[i] = closest;
     contacts.contact[i].force = contacts.contact[i].stiffness = 0.0;
     Footprint part;
-    if (!integrate(law, shape.axes, p, corner(0), corner(1), corner(2), part)) continue;
+    const double side = find_openness(*surface.candidates, contacts.triangle[i]).side;
+    if (!integrate(law, shape.axes, p, side, corner(0), corner(1), corner(2), part)) continue;
     const double share = find_share(closest, part.normal);
     contacts.contact[i] = press(part, closest, share);
     patch.add(*surface.near, t, compute_point(t, part.weights, surface.x) - p, part.axis - p, share,
@@ -298,11 +306,11 @@ void find_near_contacts(const Shape& shape, const TouchedSurface& surface, const
 }
 
 bool find_near_contact(const NearField& near, const Shape& shape, const Contact& closest,
-                       const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, NearGain gain,
-                       Contact& contact) noexcept {
+                       const Vec3& p, double side, const Vec3& a, const Vec3& b, const Vec3& c,
+                       NearGain gain, Contact& contact) noexcept {
   Footprint part;
   Contact soft;
-  if (integrate(make_law(near, shape.tool), shape.axes, p, a, b, c, part)) {
+  if (integrate(make_law(near, shape.tool), shape.axes, p, side, a, b, c, part)) {
     soft = press(part, closest, find_share(closest, part.normal));
   }
   contact = combine(shape.tool, closest, soft, gain);

@@ -10,6 +10,12 @@ namespace palpate {
 // Contacts under a NearField: closest points give the barrier, footprints the pressure, and the
 // whole patch how much of the dent the mesh has taken already.
 
+/// Along a unit vector, n . t n.
+inline double compute_along(const Symmetric& t, const Vec3& n) noexcept {
+  return t[0] * n.x() * n.x() + t[1] * n.y() * n.y() + t[2] * n.z() * n.z() +
+         2.0 * (t[3] * n.x() * n.y() + t[4] * n.y() * n.z() + t[5] * n.z() * n.x());
+}
+
 /// The near field beside the mesh: what the pressures of one body are multiplied by.
 struct NearGain {
   double force = 1.0;
@@ -27,10 +33,10 @@ inline Vec3 find_lift(const NearContacts& contacts, const Vec3& position) noexce
 /// writes its contacts for the lifted centre p, and the lift that the next substep is to have.
 void find_near_contacts(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept;
 
-/// The contact of one triangle with pressures as they are.
+/// The contact of one triangle with pressures as they are, from its front or, `side` -1, behind.
 bool find_near_contact(const NearField& near, const Shape& shape, const Contact& closest,
-                       const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, NearGain gain,
-                       Contact& contact) noexcept;
+                       const Vec3& p, double side, const Vec3& a, const Vec3& b, const Vec3& c,
+                       NearGain gain, Contact& contact) noexcept;
 
 /// [N/m] Up to what the slope of a contact may grow within a tick: in the barrier that of the hard
 /// law, whose part rises with depth.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/axes.h"
 
 namespace palpate {
 
@@ -28,5 +30,21 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
 /// Fastens the tool to what it touches of all surfaces, whose loads have its contacts.
 bool attach_tool(std::span<const TouchedSurface> surfaces, double stiffness,
                  ToolState& state) noexcept;
+
+// Open surfaces, which a tool may touch from both sides [contact: borders] (border.cpp).
+
+/// Candidates::border of a surface.
+std::vector<unsigned char> find_border(std::span<const Triangle> triangles);
+
+/// How triangle t is touched.
+inline Openness find_openness(const Candidates& candidates, int t) noexcept {
+  if (candidates.border.empty()) return {};
+  return {candidates.near.side < 0.0 ? -1.0 : 1.0, candidates.border[static_cast<std::size_t>(t)]};
+}
+
+/// Finds out, of an open surface, on which side of it a tool at p [m] is. A side that is known
+/// changes only where nothing is touched, or the border is what is nearest: elsewhere contact keeps
+/// a tool on the side by which it has come.
+void follow_side(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept;
 
 }  // namespace palpate

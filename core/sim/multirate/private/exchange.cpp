@@ -28,6 +28,7 @@ std::vector<Candidates> make_scratch(const Scene& scene, const World& world) {
       scratch.back().lanes = ContactLanes(count, simd_target(*packed->model));
     }
     if (scene.bodies[b].near_field) scratch.back().near = {count, surface_count(tissue)};
+    scratch.back().border = world.pair(0, b).candidates.border;
   }
   return scratch;
 }

@@ -45,6 +45,7 @@ TouchedSurface look_around(const Scene& scene, std::size_t instrument, std::size
   TouchedSurface surface = list_surfaces(scene, instrument, world)[body];
   surface.others = {};
   scratch.near.lift = lift;
+  scratch.near.side = world.pair(instrument, body).candidates.near.side;
   scratch.near.grip = world.pair(instrument, body).candidates.near.grip;
   find_candidates(world.bodies[body].tree, surface.x, scene.instruments[instrument].tool, at, at,
                   scene.bodies[body].rest_areas, scratch);
