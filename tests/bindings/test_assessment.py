@@ -318,3 +318,14 @@ def test_hands_do_and_fail_every_scenario_that_ships(name):
 
     assert {one.hand for one in played} == set(HANDS)
     assert judge_hands(played) == [], [one.describe() for one in played]
+
+
+@pytest.mark.parametrize("level", ["normal", "hard"])
+def test_who_stabs_the_kidney_has_failed_before_its_tissue_is_turned_inside_out(level):
+    """Once it ended as diverged, which is no performance: 20 mm deep a tetrahedron is inverted."""
+    made = published("kidney_trace")
+
+    played = attempt(made.scene, scenario.draw_task(made, level, 0), "jab")
+
+    assert played.state.outcome is palpate.Outcome.failed
+    assert played.describe()["limits"] == {"deep": 1}
