@@ -73,13 +73,39 @@ void validate_part(const std::string& file, const ImportedPart& part) {
   }
 }
 
+/// Refuses paint that is of other triangles or pictures than the file's.
+void validate_paint(const ImportedScene& scene, const ImportedPart& part) {
+  const std::size_t count = part.mesh.triangles.size();
+  const bool fits = part.paint.empty()
+                        ? part.pictures.empty()
+                        : part.paint.size() == 3 * count && part.pictures.size() == count;
+  const auto is_known = [&](int picture) {
+    return picture >= -1 && picture < static_cast<int>(scene.pictures.size());
+  };
+  if (fits && std::all_of(part.pictures.begin(), part.pictures.end(), is_known)) return;
+  throw FileError(scene.file, "part '" + part.name + "'", "colours of other triangles",
+                  "three for each");
+}
+
+/// Takes paint off where a number of it is none.
+void drop_wrong_paint(ImportedPart& part) {
+  const auto is_wrong = [](const CornerPaint& p) {
+    return !std::isfinite(p.place[0] + p.place[1] + p.colour[0] + p.colour[1] + p.colour[2]);
+  };
+  if (std::none_of(part.paint.begin(), part.paint.end(), is_wrong)) return;
+  part.paint.clear();
+  part.pictures.clear();
+}
+
 /// Vertices that lie nowhere, and the triangles on them.
 struct Nowhere {
   int vertices = 0, triangles = 0;
   std::string first;  ///< of them, with its part
 };
 
-void drop_nowhere(SurfaceMesh& mesh, const std::string& name, Nowhere& dropped) {
+void drop_nowhere(ImportedPart& part, Nowhere& dropped) {
+  SurfaceMesh& mesh = part.mesh;
+  const std::string& name = part.name;
   if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite)) return;
   std::vector<int> place;
   Vec3Array kept;
@@ -93,14 +119,28 @@ void drop_nowhere(SurfaceMesh& mesh, const std::string& name, Nowhere& dropped) 
   }
   mesh.vertices = std::move(kept);
   for (Triangle& t : mesh.triangles) t = {place[t[0]], place[t[1]], place[t[2]]};
-  dropped.triangles += static_cast<int>(std::erase_if(
-      mesh.triangles, [](const Triangle& t) { return t[0] < 0 || t[1] < 0 || t[2] < 0; }));
+  const auto is_nowhere = [](const Triangle& t) { return t[0] < 0 || t[1] < 0 || t[2] < 0; };
+  std::size_t left = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (is_nowhere(mesh.triangles[t])) continue;
+    if (!part.paint.empty()) {
+      for (std::size_t c = 0; c < 3; ++c) part.paint[3 * left + c] = part.paint[3 * t + c];
+      part.pictures[left] = part.pictures[t];
+    }
+    mesh.triangles[left++] = mesh.triangles[t];
+  }
+  dropped.triangles += static_cast<int>(mesh.triangles.size() - left);
+  mesh.triangles.resize(left);
+  if (!part.paint.empty()) {
+    part.paint.resize(3 * left);
+    part.pictures.resize(left);
+  }
 }
 
 /// Leaves out what lies nowhere, and says so. Refuses a file of which nothing is left.
 void drop_nowhere(ImportedScene& scene) {
   Nowhere dropped;
-  for (ImportedPart& part : scene.parts) drop_nowhere(part.mesh, part.name, dropped);
+  for (ImportedPart& part : scene.parts) drop_nowhere(part, dropped);
   std::erase_if(scene.parts, [](const ImportedPart& p) { return p.mesh.triangles.empty(); });
   if (scene.parts.empty()) {
     throw FileError(scene.file, dropped.first, "a coordinate that is not a finite number",
@@ -149,7 +189,11 @@ ImportedScene read_mesh(const std::filesystem::path& path, const ReadOptions& op
   if (scene.parts.empty()) {
     throw FileError(scene.file, "", "no triangles", "a surface made of triangles or polygons");
   }
-  for (const ImportedPart& part : scene.parts) validate_part(scene.file, part);
+  for (ImportedPart& part : scene.parts) {
+    validate_part(scene.file, part);
+    validate_paint(scene, part);
+    drop_wrong_paint(part);
+  }
   validate_filling(scene.file, scene.filling);
   drop_nowhere(scene);
   return scene;

@@ -12,6 +12,19 @@
 
 namespace palpate::authoring {
 
+/// How one corner of a triangle is coloured.
+struct CornerPaint {
+  std::array<float, 2> place = {};  ///< on the picture: 0 to 1 from its lower left, repeated beyond
+  std::array<float, 3> colour = {1.0f, 1.0f, 1.0f};  ///< sRGB; where there is a picture, the factor
+                                                     ///< of its colours, in linear light
+};
+
+/// A picture that surfaces are painted with, as its file has it: packed by PNG, JPEG or the like.
+struct Picture {
+  std::string name;
+  std::vector<char> bytes;
+};
+
 /// One named part of a scene: its node's transforms applied, mirrored winding turned back. Still a
 /// list of triangles as the file had it: vertices may be doubled, neighbours may disagree.
 struct ImportedPart {
@@ -22,6 +35,8 @@ struct ImportedPart {
   /// sRGB, 0 to 1: its material's, or the mean of its vertices' by area; absent where the file says
   /// none, and for white, which many formats say where nobody chose one.
   std::optional<std::array<double, 3>> colour = {};
+  std::vector<CornerPaint> paint = {};  ///< three for each triangle; empty where all are alike
+  std::vector<int> pictures = {};  ///< of each triangle, beside `paint`; -1 for one without picture
 };
 
 /// What a mesh file holds, before its unit and axes are chosen.
@@ -32,6 +47,7 @@ struct ImportedScene {
   std::optional<std::string> unit;  ///< stated by the file or its format
   std::optional<std::string> up;    ///< x, y, z, -x, -y or -z, stated by the file or its format
   std::vector<std::string> notes;   ///< what was odd but could be read all the same
+  std::vector<Picture> pictures = {};
   SolidMesh filling;  ///< tetrahedra whose outer faces the parts are; empty where the file has none
 };
 

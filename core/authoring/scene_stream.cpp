@@ -134,7 +134,13 @@ ImportedScene decode_scene(const std::string& file, std::span<const char> bytes)
     part.colour = in.take_colour();
     part.mesh.vertices = in.take_all<Vec3>();
     part.mesh.triangles = in.take_all<Triangle>();
+    part.paint = in.take_all<CornerPaint>();
+    part.pictures = in.take_all<int>();
     scene.parts.push_back(std::move(part));
+  }
+  for (auto pictures = in.take<std::uint32_t>(); pictures > 0; --pictures) {
+    const std::string name = in.take_text();
+    scene.pictures.push_back({name, in.take_all<char>()});
   }
   scene.filling.vertices = in.take_all<Vec3>();
   scene.filling.tetrahedra = in.take_all<std::array<int, 4>>();

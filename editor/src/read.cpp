@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/numpy.h>
+
+#include <cstring>
+
 #include "bindings.h"
 #include "palpate/authoring/combine_parts.h"
 #include "palpate/authoring/import_mesh.h"
@@ -23,7 +27,32 @@ void bind_scene(py::module_& m) {
       .def_readonly("groups", &ImportedPart::groups,
                     "Names of the groups it stands under, outermost first.")
       .def_readonly("colour", &ImportedPart::colour,
-                    "sRGB, 0 to 1, of its material or the mean of its vertices', or None.");
+                    "sRGB, 0 to 1, of its material or the mean of its vertices', or None.")
+      .def_property_readonly(
+          "paint",
+          [](const ImportedPart& part) {
+            static_assert(sizeof(CornerPaint) == 5 * sizeof(float));
+            py::array_t<float> rows({static_cast<py::ssize_t>(part.paint.size()), py::ssize_t{5}});
+            if (!part.paint.empty()) {
+              std::memcpy(rows.mutable_data(), part.paint.data(),
+                          part.paint.size() * sizeof(CornerPaint));
+            }
+            return rows;
+          },
+          "(3 t, 5) of each corner u, v, 0 to 1 from the picture's lower left, and r, g, b, sRGB, "
+          "which multiply the picture's; no rows where all are alike.")
+      .def_property_readonly(
+          "pictures",
+          [](const ImportedPart& part) {
+            return py::array_t<int>(static_cast<py::ssize_t>(part.pictures.size()),
+                                    part.pictures.data());
+          },
+          "(t,) The picture of each triangle, beside `paint`; -1 for none.");
+  py::class_<Picture>(m, "Picture", "What surfaces are painted with, as its file has it.")
+      .def_readonly("name", &Picture::name)
+      .def_property_readonly("bytes", [](const Picture& picture) {
+        return py::bytes(picture.bytes.data(), picture.bytes.size());
+      });
   py::class_<PartPlace>(m, "PartPlace", "How a part lies to the others of its file.")
       .def_readonly("inside", &PartPlace::inside,
                     "The smallest part it lies inside of; -1 for none.")
@@ -42,6 +71,7 @@ void bind_scene(py::module_& m) {
       .def_readonly("up", &ImportedScene::up, "Stated by the file or its format, or None.")
       .def_readonly("notes", &ImportedScene::notes,
                     "What was odd about the file but could be read all the same.")
+      .def_readonly("pictures", &ImportedScene::pictures)
       .def_readonly("filling", &ImportedScene::filling,
                     "Tetrahedra whose outer faces the parts are; empty where the file has none.");
 }

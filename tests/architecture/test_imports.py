@@ -35,6 +35,8 @@ EDITS = (
     "palpate_editor.authoring",
     "palpate_editor.document",
     "palpate_editor.guarded",
+    "palpate_editor.pictures",
+    "palpate_editor.vertex_colours",
     "palpate",
     "numpy",
 )
@@ -79,6 +81,7 @@ ARROWS = {
     ),
     "editor/palpate_editor/formats_child": (
         "palpate_editor.formats_child",
+        "PIL",
         "numpy",
         "vtkmodules",
     ),
@@ -97,7 +100,7 @@ ARROWS = {
         "skimage",
         "SimpleITK",
     ),
-    "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy"),
+    "editor/palpate_editor": ("palpate_editor", "palpate_meshes", "palpate", "numpy", "scipy"),
     "meshes/generate": (
         "palpate_meshes.generate",
         "palpate_editor.authoring",
@@ -118,6 +121,7 @@ GUARDED = {
 """Imports that stand in a function and say what to install where they fail."""
 
 NAME_ON_INDEX = {
+    "PIL": "pillow",
     "vtkmodules": "vtk",
     "skfem": "scikit-fem",
     "skimage": "scikit-image",

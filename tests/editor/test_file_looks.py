@@ -75,15 +75,14 @@ def test_an_organ_that_has_an_appearance_keeps_it(tmp_path):
     assert edit(replace(EMPTY, appearance=stone)).appearance == stone
 
 
-def test_a_texture_stays_behind_and_that_is_said_once(tmp_path):
+def test_a_picture_that_is_not_there_is_said_once(tmp_path):
     path = colour_glb(
         tmp_path / "liver.glb", baseColorFactor=[*LINEAR, 1.0], baseColorTexture={"index": 0}
     )
 
     scene = read_mesh(path)
 
-    assert [note for note in scene.notes if "textures stay behind" in note] == scene.notes
-    assert len(scene.notes) == 1
+    assert scene.notes == ["the picture skin.png is not beside it or below its folder"]
     assert scene.parts[0].colour == pytest.approx(SEEN, abs=1e-5)
 
 
@@ -104,7 +103,9 @@ def test_materials_of_an_obj_colour_its_parts_by_area(tmp_path):
 
     expected = share * np.array([0.8, 0.1, 0.1]) + (1 - share) * np.array([0.1, 0.1, 0.8])
     assert scene.parts[0].colour == pytest.approx(expected)
-    assert any("textures stay behind" in note for note in scene.notes)
+    corners = np.asarray(scene.parts[0].paint)[:, 2:].reshape(-1, 3, 3)
+    expected = np.repeat([(0.8, 0.1, 0.1), (0.1, 0.1, 0.8)], 2, axis=0)[:, None]
+    assert np.allclose(corners, expected)
 
 
 @pytest.mark.parametrize(
@@ -174,7 +175,7 @@ def test_colours_of_a_vtk_file_come_along(tmp_path):
     assert read_mesh(path).parts[0].colour == pytest.approx((0.6, 0.2, 0.4), abs=0.003)
 
 
-def test_parts_of_different_colours_give_their_mean_and_say_so(tmp_path):
+def test_parts_of_different_colours_keep_them_and_the_organ_has_their_mean(tmp_path):
     path = tmp_path / "organ.obj"
     lines = [f"v {numbers(x)}" for x in [*TETRAHEDRON, *(TETRAHEDRON + [300.0, 0, 0])]]
     lines += ["mtllib looks.mtl", "o one", "usemtl red"]
@@ -186,10 +187,13 @@ def test_parts_of_different_colours_give_their_mean_and_say_so(tmp_path):
     whole = import_file(path)
     one = import_file(path, parts=["one"])
 
-    assert whole.colour == pytest.approx((0.5, 0.1, 0.3))
-    assert any("differ in colour" in note for note in whole.source.notes)
+    # half of each by area, in linear light
+    assert whole.colour == pytest.approx((0.60, 0.1, 0.37), abs=0.01)
+    far = whole.surface.vertices[:, 0] > 0.2
+    assert (whole.surface.colours == np.where(far[:, None], (51, 26, 128), (204, 26, 26))).all()
+    assert any("one for each vertex" in note for note in whole.source.notes)
     assert one.colour == pytest.approx((0.8, 0.1, 0.1))
-    assert not any("differ in colour" in note for note in one.source.notes)
+    assert one.surface.colours is None
 
 
 def test_the_colours_of_real_organs_come_along(shared_data):

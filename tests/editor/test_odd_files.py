@@ -210,7 +210,7 @@ def test_a_binary_ply_is_the_same_surface_and_has_its_colour(content, tmp_path):
 
     assert corners_of(join_parts(scene).mesh) == EXPECTED
     assert scene.parts[0].colour == pytest.approx((1.0, 0.4, 0.0))
-    assert any("textures stay behind" in note for note in scene.notes)
+    assert any("pictures of PLY files stay behind" in note for note in scene.notes)
 
 
 def test_strips_of_a_ply_are_triangles_that_face_one_side(tmp_path):

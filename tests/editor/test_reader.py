@@ -123,7 +123,7 @@ def test_a_reader_that_crashes_is_told_from_one_that_refuses(organ, tmp_path):
         read_mesh(organ, reader=program(tmp_path / "reader", "kill -SEGV $$"))
 
 
-MAGIC = struct.pack("<Q", 0x32454E4543534C50)
+MAGIC = struct.pack("<Q", 0x33454E4543534C50)
 
 
 @pytest.mark.parametrize(
@@ -135,7 +135,9 @@ MAGIC = struct.pack("<Q", 0x32454E4543534C50)
         MAGIC + struct.pack("<III", 0, 0, 0xFFFFFFFF),
         MAGIC + struct.pack("<IIIII", 0, 0, 0, 0, 0xFFFFFFFF),
         MAGIC + struct.pack("<IIIIIII", 0, 0, 0, 0, 1, 0, 0xFFFFFFFF) + b"\0" * 64,
-        MAGIC + struct.pack("<IIIII", 0, 0, 0, 0, 0) + MAGIC + b"more",
+        MAGIC + struct.pack("<IIIII", 0, 0, 0, 0, 0xFFFFFFFF),
+        MAGIC + struct.pack("<IIIIII", 0, 0, 0, 0, 0, 0xFFFFFFFF),
+        MAGIC + struct.pack("<8I", 0, 0, 0, 0, 0, 0, 0, 0) + MAGIC + b"more",
     ],
 )
 def test_a_stream_that_lies_about_its_counts_is_refused(stream, organ, tmp_path):
@@ -147,15 +149,40 @@ def test_a_stream_that_lies_about_its_counts_is_refused(stream, organ, tmp_path)
 
 
 def test_a_stream_with_an_index_out_of_range_is_refused(organ, tmp_path):
-    # no groups, no colours; and no tetrahedra of the file
-    part = struct.pack("<I4sIII9dI3i", 4, b"part", 0, 0, 3, *range(9), 1, 0, 1, 3)
-    filling = struct.pack("<II", 0, 0)
-    head = struct.pack("<IIIII", 0, 0, 0, 0, 1)
-    (tmp_path / "stream").write_bytes(MAGIC + head + part + filling + MAGIC)
-    reader = program(tmp_path / "reader", f"cat '{tmp_path / 'stream'}'")
+    reader = write_stream(tmp_path, corner=3)
 
     with pytest.raises(palpate.FileError, match="vertex 3"):
         read_mesh(organ, reader=reader)
+
+
+def write_stream(tmp_path: Path, corner: int, paint: bytes = struct.pack("<II", 0, 0)) -> Path:
+    """A reader that says one triangle, without groups, colour, pictures and tetrahedra."""
+    part = struct.pack("<I4sIII9dI3i", 4, b"part", 0, 0, 3, *range(9), 1, 0, 1, corner) + paint
+    head, rest = struct.pack("<IIIII", 0, 0, 0, 0, 1), struct.pack("<III", 0, 0, 0)
+    (tmp_path / "stream").write_bytes(MAGIC + head + part + rest + MAGIC)
+    return program(tmp_path / "reader", f"cat '{tmp_path / 'stream'}'")
+
+
+@pytest.mark.parametrize(
+    ("corners", "pictures"),
+    [(2, [-1]), (3, [0]), (3, []), (0, [-1]), (3, [-2])],
+    ids=["too few", "no such picture", "none for it", "a picture alone", "below none"],
+)
+def test_paint_of_other_triangles_or_pictures_is_refused(corners, pictures, organ, tmp_path):
+    paint = struct.pack(f"<I{5 * corners}f", corners, *([0.5] * 5 * corners))
+    paint += struct.pack(f"<I{len(pictures)}i", len(pictures), *pictures)
+    reader = write_stream(tmp_path, 2, paint)
+
+    with pytest.raises(palpate.FileError, match="colours of other triangles"):
+        read_mesh(organ, reader=reader)
+
+
+def test_paint_of_no_numbers_is_left_out(organ, tmp_path):
+    paint = struct.pack("<I15fIi", 3, *([np.nan] * 15), 1, -1)
+
+    part = read_mesh(organ, reader=write_stream(tmp_path, 2, paint)).parts[0]
+
+    assert len(part.paint) == 0 and len(part.pictures) == 0
 
 
 def test_a_missing_reader_is_named(organ, tmp_path):

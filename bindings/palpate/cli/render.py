@@ -66,10 +66,11 @@ def run_render(call: argparse.Namespace) -> Report:
         mesh = read_mesh_file(call.file)
     elif is_published(call.file):
         # loads the renderer, which other verbs do without
-        from palpate.render.authored_appearance import find_appearance
+        from palpate.render.authored_appearance import find_appearance, find_colours
 
         made = palpate.scenario.read(call.file)
         mesh, options["appearance"] = made.scene, find_appearance(made)
+        options["vertex_colours"] = find_colours(made)
     elif call.file.suffix == ".json":
         mesh = read_scene(call.file)
     else:

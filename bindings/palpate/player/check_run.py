@@ -16,7 +16,7 @@ from palpate.command.verb import WrongCall
 from palpate.player.check_sentences import say_stage
 from palpate.player.sentences import translate
 from palpate.render import Appearance
-from palpate.render.authored_appearance import find_appearance
+from palpate.render.authored_appearance import find_appearance, find_colours
 from palpate.render.shapes import build_sphere
 from palpate.runs.device_check import TARGETS, DeviceCheck, Stage, build_wall
 from palpate.runs.live import LiveRun
@@ -204,6 +204,7 @@ class CheckRun(QObject):
         view.show_instruments(())
         view.use_appearance(find_appearance(self.window.play.scenario))
         view.show_surface(join_rest_surfaces(scene), join_triangles(scene))
+        view.show_colours(find_colours(self.window.play.scenario))
         view.frame_all()
         self.over.force.rest()
         self.over.reset()

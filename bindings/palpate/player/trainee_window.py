@@ -28,7 +28,7 @@ from palpate.player.sentences import (
     translate,
 )
 from palpate.player.style import build_palette, build_style
-from palpate.render.authored_appearance import find_appearance
+from palpate.render.authored_appearance import find_appearance, find_colours
 from palpate.runs.live import Frame, LiveRun
 from palpate.runs.next_attempt import draw_next
 from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
@@ -81,6 +81,7 @@ class TraineeWindow(QWidget):
         self.view.use_appearance(find_appearance(play.scenario))
         self._rest = join_rest_surfaces(self.scene)
         self.view.show_surface(self._rest, join_triangles(self.scene))
+        self.view.show_colours(find_colours(play.scenario))
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self.view)

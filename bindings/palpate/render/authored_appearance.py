@@ -6,6 +6,9 @@ from __future__ import annotations
 import json
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from palpate.files.json_part import read_part
 from palpate.files.refusal import Refusal
 from palpate.render.part import Appearance, build_appearance
@@ -27,6 +30,26 @@ def find_appearance(scenario: Scenario) -> Appearance | None:
         return build_appearance(read_part("", "appearance", AppearancePart, part, whole=True))
     except (ValueError, LookupError, TypeError, RecursionError, Refusal):
         return None
+
+
+def find_colours(scenario: Scenario) -> NDArray[np.uint8] | None:
+    """(n, 3) uint8, sRGB, of the scene's vertices, where its designer's surface has some: those
+    that are not on it, as inside of a solid, have the mean. None where it has none, or where the
+    document is of another surface than the scene."""
+    bodies = [np.asarray(body.tissue.rest_position) for body in scenario.scene.bodies]
+    count = sum(map(len, bodies))
+    for name in ("surface", "imported"):
+        vertices = scenario.authored_arrays.get(f"{name}/vertices")
+        if vertices is None:
+            continue
+        colours = scenario.authored_arrays.get(f"{name}/colours")
+        of = len(vertices)
+        fits = bodies and len(bodies[0]) >= of and np.array_equal(bodies[0][:of], vertices)
+        if colours is None or not fits or colours.dtype != np.uint8 or colours.shape != (of, 3):
+            return None
+        mean = np.rint(colours.mean(axis=0))
+        return np.vstack([colours, np.tile(mean, (count - of, 1))]).astype(np.uint8)
+    return None
 
 
 def find_part(content: dict[str, Any], version: int) -> object:

@@ -22,6 +22,7 @@ from palpate.render.instrument import METAL, DrawnPart
 from palpate.render.instrument_shade import InstrumentShade
 from palpate.render.overlay import Overlay
 from palpate.render.part import Appearance
+from palpate.render.renderer import decode_all
 from palpate.render.shapes import (
     ARROW_HEAD,
     Shape,
@@ -91,6 +92,8 @@ class Picture:
     """sRGB, 0 to 1, of an organ without values."""
     appearance: Appearance | None = None
     """How an organ without values takes the light; without it, `colour` alone."""
+    vertex_colours: ArrayLike | None = None
+    """(n, 3) uint8, sRGB, in place of that one's colour and pattern."""
     supersample: int = 2
     """Rows and columns of samples per pixel, 1 to 4; edges get four times as many."""
 
@@ -191,7 +194,13 @@ def build_organ(
     )
     if picture.appearance is not None and values is None:
         appearance = replace(picture.appearance, wired=picture.wireframe, receives_instruments=True)
-    selection = picture.selection
+    selection, tint = picture.selection, None
+    if picture.vertex_colours is not None and values is None:
+        if np.shape(picture.vertex_colours) != np.shape(x):
+            got = np.shape(picture.vertex_colours)
+            raise ValueError(f"vertex_colours must have shape {np.shape(x)}, got {got}")
+        tint = decode_all(picture.vertex_colours)
+        appearance = replace(appearance, tinted=True)
     return Thing(
         x,
         np.asarray(palpate.compute_vertex_normals(x, faces)),
@@ -199,6 +208,7 @@ def build_organ(
         appearance,
         values,
         None if selection is None else as_column(selection, len(x), "selection"),
+        tint,
     )
 
 

@@ -227,6 +227,7 @@ class Renderer:
             appearance.mapped,
             decode(appearance.colour),
         )
+        program["tinted"].value = appearance.tinted
         program["gloss"].value, program["subsurface"].value = (
             appearance.gloss,
             appearance.subsurface,
@@ -253,6 +254,11 @@ def write_pattern(program: moderngl.Program, pattern: Pattern) -> None:
     program["pattern_strength"].value = pattern.strength
     program["vein_strength"].value = pattern.vein_strength
     program["relief"].value = pattern.relief
+
+
+def decode_all(colours: ArrayLike) -> NDArray[np.float32]:
+    """The same of (n, 3) uint8, as the stream `tint` has it."""
+    return np.asarray((np.asarray(colours) / 255.0) ** GAMMA, np.float32)
 
 
 def decode(colour: Colour) -> Colour:

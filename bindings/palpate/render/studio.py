@@ -44,6 +44,8 @@ class Thing:
     """(n,)"""
     selection: NDArray[np.floating] | None = None
     """(n,) 0 to 1."""
+    tint: NDArray[np.floating] | None = None
+    """(n, 3) Of each vertex, in linear light."""
 
     def points(self) -> NDArray[np.floating]:
         """[m] The vertices that some triangle uses: the others are nowhere to be seen."""
@@ -98,6 +100,8 @@ def arrange(renderer: Renderer, things: Sequence[Thing], shot: Shot) -> None:
             part.update(value=as_stream(thing.values))
         if thing.selection is not None:
             part.update(selection=as_stream(thing.selection))
+        if thing.tint is not None:
+            part.update(tint=as_stream(thing.tint))
     sky = Sky(renderer.context, renderer.parts, centre, radius)
     for thing, part in zip(things, renderer.parts, strict=True):
         if thing.appearance.casts_shadow:

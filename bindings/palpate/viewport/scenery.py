@@ -20,6 +20,7 @@ from palpate.render import (
     build_sphere,
 )
 from palpate.render.instrument_shade import InstrumentShade
+from palpate.render.renderer import decode_all
 from palpate.render.theme import DARK, THEMES
 from palpate.viewport.appearance import ARROW, PAINTED, PLAIN, RIM, RING, TOOL
 from palpate.viewport.dents import Dents
@@ -67,6 +68,7 @@ class Scenery:
         """Of the instruments in sight."""
         self._gone: list[Thing] = []
         self._renderer: Renderer | None = None
+        self._tinted = False
         self._sky: SkyLight | None = None
         self.is_lit = True
         """Whether all the light that there is has been gathered."""
@@ -94,6 +96,7 @@ class Scenery:
             )
         self._dent.take_surface(x, faces)
         self._drop("surface")
+        self._tinted = False
         self.version += 1
         self.surface_version += 1
         self.vertices, self.triangles = x, faces
@@ -139,14 +142,29 @@ class Scenery:
         if surface is not None:
             if values is not None:
                 surface.write("value", values)
-            surface.appearance = self._tissue if values is None else PAINTED
+            surface.appearance = self._look() if values is None else PAINTED
+
+    def show_colours(self, colours: ArrayLike | None) -> None:
+        """sRGB of each vertex, (n, 3) uint8; None for the colour and the pattern of tissue."""
+        surface = self._things.get("surface")
+        self._tinted = colours is not None and surface is not None
+        self.version += 1
+        if surface is None:
+            return
+        if colours is not None:
+            surface.write("tint", decode_all(colours))
+        if self.legend is None:
+            surface.appearance = self._look()
+
+    def _look(self) -> Appearance:
+        return replace(self._tissue, tinted=self._tinted)
 
     def use_appearance(self, appearance: Appearance | None) -> None:
         """How tissue takes the light wherever no values are shown; None for plain tissue."""
         surface = self._things.get("surface")
         before, self._tissue = self._tissue, appearance or PLAIN
         if surface is not None and self.legend is None and before != self._tissue:
-            surface.appearance = self._tissue
+            surface.appearance = self._look()
             self.version += 1
 
     def show_selection(self, weights: ArrayLike | None) -> None:

@@ -21,6 +21,7 @@ class Thing:
             "selection": np.zeros(vertex_count, np.float32),
             "openness": np.ones(vertex_count, np.float32),
             "rest": np.zeros((vertex_count, 3), np.float32),
+            "tint": np.ones((vertex_count, 3), np.float32),
         }
         self.part: Part | None = None
         self._stale = set(self.streams)

@@ -107,6 +107,12 @@ class ViewBase(ViewEvents):
         self.scenery.use_appearance(appearance)
         self.update()
 
+    def show_colours(self, colours: ArrayLike | None) -> None:
+        """sRGB of each vertex of the surface shown, (n, 3) uint8, in place of its appearance's
+        colour and pattern; None for those."""
+        self.scenery.show_colours(colours)
+        self.update()
+
     def show_selection(self, weights: ArrayLike | None) -> None:
         """0 to 1 per vertex, what is highlighted."""
         self.scenery.show_selection(weights)

@@ -16,8 +16,8 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
 std::optional<ImportedScene> read_binary_stl(const std::string& path);
 
 /// An OBJ, in double precision where assimp has single: its vertices, polygons, objects and groups,
-/// and the mean colour of each by its corners or its material library. Normals and texture
-/// coordinates are left alone, whatever is wrong with them. nullopt for one that is not text of
+/// painted by its corners or its material library. Normals are left alone, and places on pictures
+/// where they are wrong. nullopt for one that is not text of
 /// single bytes, which is assimp's to read or refuse. Throws FileError with the line.
 std::optional<ImportedScene> read_obj(const std::string& path);
 
@@ -25,8 +25,9 @@ std::optional<ImportedScene> read_obj(const std::string& path);
 /// line.
 ImportedScene read_text_stl(const std::string& path);
 
-/// An OFF as text or binary: OFF, COFF, NOFF, CNOFF, STOFF and their like, 4OFF; normals, colours
-/// and texture coordinates are left alone. Throws FileError with the line, or the number.
+/// An OFF as text or binary: OFF, COFF, NOFF, CNOFF, STOFF and their like, 4OFF; with the colours
+/// of its vertices where it is text; normals and texture coordinates are left alone. Throws
+/// FileError with the line, or the number.
 ImportedScene read_off(const std::string& path);
 
 /// A PLY 1.0 as text or binary of either byte order: its vertices, polygons and strips, and the

@@ -10,9 +10,10 @@
 
 namespace palpate::authoring {
 
-/// Said once of a file whose surfaces have pictures on them.
-inline constexpr const char* kTexturesStay =
-    "textures stay behind: an organ has a colour and a pattern, and no picture on it";
+/// [IEC 61966-2-1]
+inline double to_srgb(double c) {
+  return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+}
 
 /// The mean of colours by the area that has them, channels of 0 to 1.
 class MeanColour {
@@ -35,11 +36,6 @@ class MeanColour {
 
  private:
   static constexpr double kWhite = 0.998;  ///< within half a step of eight bits
-
-  /// [IEC 61966-2-1]
-  static double to_srgb(double c) {
-    return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-  }
 
   Vec3 sum_ = Vec3::Zero();
   double area_ = 0.0;

@@ -7,6 +7,25 @@
 #include "palpate/authoring/read_mesh_child/text_line.h"
 
 namespace palpate::authoring {
+namespace {
+
+/// The name behind options such as -s 1 1 1 and -blendu on; it may have blanks.
+std::string take_picture(TextLine line) {
+  std::string_view rest = line.take_rest();
+  while (rest.starts_with('-')) {
+    TextLine words(rest);
+    words.take_word();
+    double number = 0.0;
+    TextLine behind = words;
+    int numbers = 0;
+    for (; behind.take(number); ++numbers) words = behind;
+    if (numbers == 0) words.take_word();
+    rest = words.take_rest();
+  }
+  return std::string(rest);
+}
+
+}  // namespace
 
 Materials read_materials(const std::string& path, const std::string& name) {
   Materials found;
@@ -22,7 +41,7 @@ Materials read_materials(const std::string& path, const std::string& name) {
     if (word == "newmtl") {
       material = line.take_rest();
     } else if (word == "map_Kd") {
-      found.has_textures = true;
+      found.pictures.insert_or_assign(material, take_picture(line));
     } else if (word == "Kd") {
       Vec3 colour;
       if (line.take(colour[0]) && line.take(colour[1]) && line.take(colour[2])) {

@@ -10,9 +10,9 @@ namespace palpate::authoring {
 
 /// What an OBJ's material library says of colours.
 struct Materials {
-  std::map<std::string, Vec3> colours;  ///< by name: Kd, as it stands there
-  bool has_textures = false;            ///< some map_Kd
-  bool is_there = false;                ///< the file could be opened
+  std::map<std::string, Vec3> colours;          ///< by name: Kd, as it stands there
+  std::map<std::string, std::string> pictures;  ///< by name: the file of map_Kd
+  bool is_there = false;                        ///< the file could be opened
 };
 
 /// Reads the library `name` of the mesh at `path`: a file beside it or below its folder. What is

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
-#include <map>
 
 #include "palpate/authoring/file_signature.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
-#include "palpate/authoring/read_mesh_child/mean_colour.h"
-#include "palpate/authoring/read_mesh_child/read_materials.h"
+#include "palpate/authoring/read_mesh_child/obj_paint.h"
 #include "palpate/authoring/read_mesh_child/text_file.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
@@ -24,7 +23,12 @@ struct Skipped {
 class Obj {
  public:
   explicit Obj(const std::string& path)
-      : path_(path), part_names_{std::filesystem::path(path).stem().string()}, parts_(1), of_(1) {}
+      : path_(path),
+        part_names_{std::filesystem::path(path).stem().string()},
+        parts_(1),
+        paint_(path),
+        of_(1),
+        places_of_(1) {}
 
   void take_line(std::string_view text, int number) {
     number_ = number;
@@ -34,18 +38,19 @@ class Obj {
       marked_ = marked_ || text.find(kFileSignature) != std::string_view::npos;
     } else if (word == "v") {
       take_vertex(line);
+    } else if (word == "vt") {
+      paint_.take_place(line);
     } else if (word == "f" || word == "fo") {
       take_face(line);
     } else if (word == "o" || word == "g") {
       part_names_.emplace_back(line.take_rest());
       parts_.emplace_back();
       of_.emplace_back();
+      places_of_.emplace_back();
     } else if (word == "usemtl") {
-      const std::string name(line.take_rest());
-      const auto next = static_cast<int>(material_numbers_.size());
-      material_ = material_numbers_.try_emplace(name, next).first->second;
+      material_ = paint_.number_material(std::string(line.take_rest()));
     } else if (word == "mtllib") {
-      take_library(std::string(line.take_rest()));
+      paint_.take_library(std::string(line.take_rest()));
     } else if (word == "curv" || word == "curv2" || word == "surf") {
       ++skipped_.curves;
     }
@@ -53,7 +58,7 @@ class Obj {
 
   ImportedScene finish() {
     ImportedScene scene{};
-    if (colours_.size() != vertices_.size()) colours_.clear();  // only some have one
+    paint_.finish(vertices_.size());
     if (marked_) {
       scene.unit = "m";
       scene.up = "z";
@@ -63,7 +68,7 @@ class Obj {
       ImportedPart part;
       part.name = part_names_[p];
       part.mesh = cut_out(parts_[p]);
-      part.colour = find_colour(p);
+      paint_.paint({vertices_, parts_[p], of_[p], places_of_[p]}, part);
       scene.parts.push_back(std::move(part));
     }
     const auto note = [&](int count, const char* what) {
@@ -72,10 +77,7 @@ class Obj {
     wrong_.settle(faces_, scene.notes);
     note(skipped_.short_faces, " faces of fewer than three corners were left out");
     note(skipped_.curves, " free-form curves or surfaces were left out");
-    if (has_textures_) scene.notes.emplace_back(kTexturesStay);
-    for (const std::string& library : missing_) {
-      scene.notes.push_back("the materials in " + library + " are not there to be read");
-    }
+    paint_.settle(scene);
     return scene;
   }
 
@@ -86,52 +88,6 @@ class Obj {
 
   [[noreturn]] void refuse(std::string_view got, const std::string& expected) const {
     throw make_error(got, expected);
-  }
-
-  void take_library(const std::string& name) {
-    Materials read = read_materials(path_, name);
-    if (!read.is_there) missing_.push_back(one_line(name));
-    has_textures_ = has_textures_ || read.has_textures;
-    materials_.merge(read.colours);
-  }
-
-  static std::string one_line(std::string text) {
-    for (char& c : text) {
-      if (static_cast<unsigned char>(c) < 32) c = ' ';
-    }
-    return text.substr(0, 200);
-  }
-
-  /// Of what has one: its corners' before its material's.
-  std::optional<std::array<double, 3>> find_colour(std::size_t p) const {
-    std::vector<const Vec3*> colour(material_numbers_.size(), nullptr);
-    for (const auto& [name, number] : material_numbers_) {
-      const auto found = materials_.find(name);
-      if (found != materials_.end()) colour[number] = &found->second;
-    }
-    MeanColour mean;
-    for (std::size_t t = 0; t < parts_[p].size(); ++t) {
-      const auto& [a, b, c] = parts_[p][t];
-      const Vec3 &x = vertices_[a], &y = vertices_[b], &z = vertices_[c];
-      const double area = 0.5 * (y - x).cross(z - x).norm();
-      if (!colours_.empty()) {
-        mean.add((colours_[a] + colours_[b] + colours_[c]) / (3.0 * brightest_), area);
-      } else if (of_[p][t] >= 0 && colour[of_[p][t]] != nullptr) {
-        mean.add(*colour[of_[p][t]], area);
-      }
-    }
-    return mean.find(false);
-  }
-
-  /// Three numbers behind the place are a colour, of 0 to 1 or of 0 to 255; one is a weight, and
-  /// left alone.
-  void take_colour(TextLine& line) {
-    Vec3 colour;
-    const bool has_one = line.take(colour[0]) && line.take(colour[1]) && line.take(colour[2]);
-    if (has_one && colour.allFinite() && colours_.size() + 1 == vertices_.size()) {
-      colours_.push_back(colour);
-      if (colour.maxCoeff() > 1.0) brightest_ = 255.0;
-    }
   }
 
   void take_vertex(TextLine& line) {
@@ -145,24 +101,35 @@ class Obj {
       }
     }
     vertices_.push_back(p);
-    take_colour(line);
+    paint_.take_colour(line, vertices_.size());
   }
 
   void take_face(TextLine& line) {
     ++faces_;
     corners_.clear();
+    corner_places_.clear();
     for (std::string_view word = line.take_word(); !word.empty(); word = line.take_word()) {
       if (word.starts_with('#')) break;
       const int vertex = find_vertex(word);
       if (vertex < 0) return;
       corners_.push_back(vertex);
+      corner_places_.push_back(paint_.find_place(word));
     }
     if (corners_.size() < 3) {
       ++skipped_.short_faces;
       return;
     }
+    const std::size_t first = parts_.back().size();
     triangulate_polygon(corners_, vertices_, parts_.back());
     of_.back().resize(parts_.back().size(), material_);
+    for (std::size_t t = first; t < parts_.back().size(); ++t) {
+      Triangle places{};
+      for (int c = 0; c < 3; ++c) {
+        const auto at = std::find(corners_.begin(), corners_.end(), parts_.back()[t][c]);
+        places[c] = corner_places_[static_cast<std::size_t>(at - corners_.begin())];
+      }
+      places_of_.back().push_back(places);
+    }
   }
 
   /// Of the corner v/vt/vn only v is asked; below zero it counts back from the last vertex. -1
@@ -210,14 +177,11 @@ class Obj {
   std::vector<std::string> part_names_;
   std::vector<std::vector<Triangle>> parts_;
 
-  Vec3Array colours_;       // of the vertices, where all have one
-  double brightest_ = 1.0;  // what stands for a full channel
-  std::map<std::string, Vec3> materials_;
-  std::map<std::string, int> material_numbers_;
-  int material_ = -1;                 // of the faces being taken; -1 for none
-  std::vector<std::vector<int>> of_;  // the material of each triangle, as parts_
-  std::vector<std::string> missing_;
-  bool has_textures_ = false;
+  ObjPaint paint_;
+  int material_ = -1;                             // of the faces being taken; -1 for none
+  std::vector<int> corner_places_;                // of the face being taken
+  std::vector<std::vector<int>> of_;              // the material of each triangle, as parts_
+  std::vector<std::vector<Triangle>> places_of_;  // of its corners, as parts_
 };
 
 /// Joins a line that ends in a backslash with those that follow it; how many there were.

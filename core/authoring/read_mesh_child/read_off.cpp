@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
+#include "palpate/authoring/read_mesh_child/mean_colour.h"
+#include "palpate/authoring/read_mesh_child/pictures.h"
 #include "palpate/authoring/read_mesh_child/text_file.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
@@ -114,7 +116,48 @@ Head take_head(Lines& lines) {
   return head;
 }
 
-Vec3 take_vertex(Lines& lines, const Head& head, std::size_t taken) {
+/// Colours of all vertices, of 0 to 1 or of 0 to 255; none once one of them has none.
+class Colours {
+ public:
+  /// Behind the place of a vertex: its normal, where the head says so, and three numbers.
+  void take(TextLine& line, const OffKind& kind) {
+    Vec3 normal, colour;
+    const bool is_there = (!kind.normals || take_three(line, normal)) && take_three(line, colour);
+    has_all_ = has_all_ && is_there && colour.allFinite();
+    if (has_all_) brightest_ = std::max(brightest_, colour.maxCoeff() > 1.0 ? 255.0 : 1.0);
+    colours_.push_back(colour);
+  }
+
+  void paint(ImportedPart& part) const {
+    if (!has_all_) return;
+    MeanColour mean;
+    const Vec3Array& x = part.mesh.vertices;
+    for (const Triangle& t : part.mesh.triangles) {
+      append_plain(Vec3::Ones(), part);
+      CornerPaint* const corner = &*(part.paint.end() - 3);
+      Vec3 middle = Vec3::Zero();
+      for (int c = 0; c < 3; ++c) {
+        const Vec3 colour = colours_[t[c]] / brightest_;
+        corner[c].colour = to_channels(colour);
+        middle += colour / 3.0;
+      }
+      mean.add(middle, 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm());
+    }
+    part.colour = mean.find(false);
+    drop_plain_paint(part);
+  }
+
+ private:
+  static bool take_three(TextLine& line, Vec3& three) {
+    return line.take(three[0]) && line.take(three[1]) && line.take(three[2]);
+  }
+
+  Vec3Array colours_;
+  bool has_all_ = true;
+  double brightest_ = 1.0;
+};
+
+Vec3 take_vertex(Lines& lines, const Head& head, std::size_t taken, Colours& colours) {
   TextLine line =
       lines.take("vertex " + std::to_string(taken) + " of " + std::to_string(head.vertices));
   Vec3 p;
@@ -125,6 +168,7 @@ Vec3 take_vertex(Lines& lines, const Head& head, std::size_t taken) {
     lines.refuse("'" + lines.text().substr(0, 40) + "'",
                  head.kind.weighted ? "a vertex of four numbers" : "a vertex of three numbers");
   }
+  if (head.kind.colours) colours.take(line, head.kind);
   return p / weight;
 }
 
@@ -156,12 +200,12 @@ bool take_face(const Lines& lines, const Head& head, std::vector<int>& corners, 
   return true;
 }
 
-SurfaceMesh take_text(Lines& lines, const Head& head, int& left_out,
+SurfaceMesh take_text(Lines& lines, const Head& head, int& left_out, Colours& colours,
                       std::vector<std::string>& notes) {
   SurfaceMesh mesh;
   // one at a time: a count is only believed as far as the lines go
   while (static_cast<long>(mesh.vertices.size()) < head.vertices) {
-    mesh.vertices.push_back(take_vertex(lines, head, mesh.vertices.size()));
+    mesh.vertices.push_back(take_vertex(lines, head, mesh.vertices.size(), colours));
   }
   WrongFaces wrong;
   std::vector<int> corners;
@@ -186,16 +230,20 @@ ImportedScene read_off(const std::string& path) {
   const Head head = take_head(lines);
   int left_out = 0;
   ImportedScene scene{};
+  Colours colours;
   SurfaceMesh mesh = head.binary ? read_binary_off(path, head.kind, lines.tell(), left_out)
-                                 : take_text(lines, head, left_out, scene.notes);
+                                 : take_text(lines, head, left_out, colours, scene.notes);
   if (left_out > 0) {
     scene.notes.push_back(std::to_string(left_out) +
                           " faces of fewer than three corners were left out");
   }
-  if (head.kind.colours) {
-    scene.notes.emplace_back("the colours of its vertices stay behind");
+  ImportedPart part{std::filesystem::path(path).stem().string(), std::move(mesh)};
+  if (head.kind.colours && !head.binary) colours.paint(part);
+  if (head.kind.colours && head.binary) {
+    scene.notes.emplace_back(
+        "the colours of its vertices stay behind: a binary OFF's are not read");
   }
-  scene.parts.push_back({std::filesystem::path(path).stem().string(), std::move(mesh)});
+  scene.parts.push_back(std::move(part));
   return scene;
 }
 

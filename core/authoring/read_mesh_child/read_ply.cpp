@@ -8,6 +8,7 @@
 
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 #include "palpate/authoring/read_mesh_child/mean_colour.h"
+#include "palpate/authoring/read_mesh_child/pictures.h"
 #include "palpate/authoring/read_mesh_child/ply_header.h"
 #include "palpate/authoring/read_mesh_child/text_line.h"
 #include "palpate/authoring/read_mesh_child/triangulate.h"
@@ -155,8 +156,13 @@ class Ply {
     if (mesh_.triangles.empty()) {
       throw FileError(path_, "", "no faces", "a surface made of triangles or polygons");
     }
-    if (header_.has_texture) scene.notes.emplace_back(kTexturesStay);
+    if (header_.has_texture) scene.notes.emplace_back("pictures of PLY files stay behind");
     ImportedPart part{std::filesystem::path(path_).stem().string(), std::move(mesh_)};
+    if (painted_.pictures.size() == part.mesh.triangles.size()) {
+      part.paint = std::move(painted_.paint);
+      part.pictures = std::move(painted_.pictures);
+    }
+    drop_plain_paint(part);
     part.colour = colour_.find(false);
     scene.parts.push_back(std::move(part));
     return scene;
@@ -262,6 +268,10 @@ class Ply {
       const Vec3 &x = mesh_.vertices[a], &y = mesh_.vertices[b], &z = mesh_.vertices[c];
       const Vec3 colour = own ? *own : Vec3((colours_[a] + colours_[b] + colours_[c]) / 3.0);
       colour_.add(colour, 0.5 * (y - x).cross(z - x).norm());
+      append_plain(colour, painted_);
+      CornerPaint* const corner = &*(painted_.paint.end() - 3);
+      for (int k = 0; k < 3 && !own; ++k)
+        corner[k].colour = to_channels(colours_[mesh_.triangles[t][k]]);
     }
   }
 
@@ -271,6 +281,7 @@ class Ply {
   SurfaceMesh mesh_;
   Vec3Array colours_;  ///< of the vertices, where they have some
   MeanColour colour_;
+  ImportedPart painted_;  ///< paint alone, of the triangles so far
   WrongFaces wrong_;
   int short_ = 0;
   long faces_ = 0;

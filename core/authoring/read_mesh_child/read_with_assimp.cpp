@@ -13,7 +13,7 @@
 #include "palpate/authoring/read_mesh_child/confine.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 #include "palpate/authoring/read_mesh_child/gltf_head.h"
-#include "palpate/authoring/read_mesh_child/mean_colour.h"
+#include "palpate/authoring/read_mesh_child/private/paint_mesh.h"
 
 namespace palpate::authoring {
 namespace {
@@ -63,8 +63,9 @@ Eigen::Matrix4d to_matrix(const aiMatrix4x4& m) {
   return matrix;
 }
 
-/// Adds a mesh as the scene shows it. A node that mirrors would turn the triangles inside out.
-void append(const aiMesh& from, const Eigen::Matrix4d& place, SurfaceMesh& to) {
+/// Adds a mesh as the scene shows it; whether its node mirrors, which would turn the triangles
+/// inside out: they are turned back.
+bool append(const aiMesh& from, const Eigen::Matrix4d& place, SurfaceMesh& to) {
   const Mat3 linear = place.topLeftCorner<3, 3>();
   const Vec3 shift = place.topRightCorner<3, 1>();
   const bool mirrors = linear.determinant() < 0.0;
@@ -80,55 +81,13 @@ void append(const aiMesh& from, const Eigen::Matrix4d& place, SurfaceMesh& to) {
     to.triangles.push_back(mirrors ? Triangle{corner(0), corner(2), corner(1)}
                                    : Triangle{corner(0), corner(1), corner(2)});
   }
-}
-
-bool has_texture(const aiMaterial& material) {
-  return material.GetTextureCount(aiTextureType_DIFFUSE) > 0 ||
-         material.GetTextureCount(aiTextureType_BASE_COLOR) > 0;
-}
-
-/// What the material of a mesh says of its colour; nullopt for the one that assimp puts in where
-/// the file has none.
-std::optional<Vec3> find_base_colour(const aiMaterial& material) {
-  aiString name;
-  aiColor4D colour;
-  material.Get(AI_MATKEY_NAME, name);
-  if (std::string(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME) return std::nullopt;
-  if (material.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS &&
-      material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != aiReturn_SUCCESS) {
-    return std::nullopt;
-  }
-  return Vec3(colour.r, colour.g, colour.b);
-}
-
-/// Adds the colours of a mesh's triangles: of its corners where it has some, times the material's,
-/// as glTF has it; else the material's.
-void add_colours(const aiMesh& mesh, const aiMaterial& material, MeanColour& mean) {
-  const std::optional<Vec3> base = find_base_colour(material);
-  const aiColor4D* const corners = mesh.mColors[0];
-  if (!base && corners == nullptr) return;
-  const Vec3 factor = base.value_or(Vec3::Ones());
-  const auto at = [&](unsigned i) -> Vec3 {
-    const aiVector3D& p = mesh.mVertices[i];
-    return {p.x, p.y, p.z};
-  };
-  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    if (face.mNumIndices != 3) continue;
-    const unsigned* const i = face.mIndices;
-    const double area = 0.5 * (at(i[1]) - at(i[0])).cross(at(i[2]) - at(i[0])).norm();
-    Vec3 colour = corners == nullptr ? Vec3::Ones() : Vec3::Zero();
-    for (int c = 0; c < 3 && corners != nullptr; ++c) {
-      colour += Vec3(corners[i[c]].r, corners[i[c]].g, corners[i[c]].b) / 3.0;
-    }
-    mean.add(factor.cwiseProduct(colour), area);
-  }
+  return mirrors;
 }
 
 class Walk {
  public:
   Walk(const std::string& file, const aiScene& scene, bool is_linear)
-      : file_(file), scene_(scene), is_linear_(is_linear) {}
+      : file_(file), scene_(scene), is_linear_(is_linear), pictures_(file) {}
 
   void visit(const aiNode& node, const Eigen::Matrix4d& above, int depth) {
     if (depth > kDeepestNode) {
@@ -140,12 +99,10 @@ class Walk {
     MeanColour colour;
     for (unsigned m = 0; m < node.mNumMeshes; ++m) {
       const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[m]];
-      append(mesh, place, part.mesh);
-      if (mesh.mMaterialIndex >= scene_.mNumMaterials) continue;
-      const aiMaterial& material = *scene_.mMaterials[mesh.mMaterialIndex];
-      add_colours(mesh, material, colour);
-      has_textures_ = has_textures_ || has_texture(material);
+      const bool mirrors = append(mesh, place, part.mesh);
+      paint_mesh(scene_, mesh, is_linear_, mirrors, pictures_, part, colour);
     }
+    drop_plain_paint(part);
     std::string name = node.mName.C_Str();
     if (!part.mesh.triangles.empty()) {
       part.name = name_part(node);
@@ -161,9 +118,10 @@ class Walk {
     if (is_group) groups_.pop_back();
   }
 
-  bool has_textures() const { return has_textures_; }
-
-  std::vector<ImportedPart> take_parts() { return std::move(parts_); }
+  void finish(ImportedScene& scene) {
+    scene.parts = std::move(parts_);
+    pictures_.settle(scene);
+  }
 
  private:
   /// The node's name, or its mesh's, made different from all before.
@@ -178,7 +136,7 @@ class Walk {
   const std::string& file_;
   const aiScene& scene_;
   bool is_linear_;
-  bool has_textures_ = false;
+  Pictures pictures_;
   std::vector<ImportedPart> parts_;
   std::vector<std::string> groups_;  ///< above the node that is visited
   std::map<std::string, int> seen_;
@@ -243,9 +201,8 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
   importer.SetIOHandler(files);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
-                                  aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
-                                  aiComponent_ANIMATIONS | aiComponent_LIGHTS |
-                                  aiComponent_CAMERAS | aiComponent_TEXTURES);
+                                  aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
+                                  aiComponent_LIGHTS | aiComponent_CAMERAS);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* from =
@@ -271,9 +228,8 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
   // the colours of glTF are linear; those of other formats are as they are seen
   Walk walk(path, *from, is_gltf);
   walk.visit(*from->mRootNode, Eigen::Matrix4d::Identity(), 0);
-  scene.parts = walk.take_parts();
+  walk.finish(scene);
   take_units(*from, format, scene);
-  if (walk.has_textures()) scene.notes.emplace_back(kTexturesStay);
   for (const std::string& file : outside) {
     scene.notes.push_back("did not open " + one_line(file) + ", which lies outside of its folder");
   }

@@ -51,6 +51,13 @@ void write_scene(const ImportedScene& scene, std::FILE* out) {
     if (part.colour) put(*part.colour, out);
     put_all(part.mesh.vertices, out);
     put_all(part.mesh.triangles, out);
+    put_all(part.paint, out);
+    put_all(part.pictures, out);
+  }
+  put_count(scene.pictures.size(), out);
+  for (const Picture& picture : scene.pictures) {
+    put_all(picture.name, out);
+    put_all(picture.bytes, out);
   }
   put_all(scene.filling.vertices, out);
   put_all(scene.filling.tetrahedra, out);

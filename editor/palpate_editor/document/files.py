@@ -138,7 +138,10 @@ def write_assessment(assessment: Json) -> str:
 
 
 def pack_surface(name: str, surface: Surface) -> Arrays:
-    return {f"{name}/vertices": surface.vertices, f"{name}/triangles": surface.triangles}
+    arrays = {f"{name}/vertices": surface.vertices, f"{name}/triangles": surface.triangles}
+    if surface.colours is not None:
+        arrays[f"{name}/colours"] = surface.colours
+    return arrays
 
 
 def unpack_organ(content: Any, arrays: Mapping[str, Any], version: int, file: str) -> Organ:
@@ -338,7 +341,13 @@ def unpack_surface(arrays: Arrays, name: str, file: str) -> Surface:
             f"vertex numbers {triangles.min()} to {triangles.max()}",
             f"0 to {len(vertices) - 1}",
         )
-    return Surface(vertices, triangles)
+    if f"{name}/colours" not in arrays:
+        return Surface(vertices, triangles)
+    colours = take(arrays, f"{name}/colours", np.uint8, (None, 3), file)
+    if len(colours) != len(vertices):
+        expected = f"{len(vertices)}, one for each vertex"
+        raise Refusal(file, f"{name}/colours", f"{len(colours)} colours", expected)
+    return Surface(vertices, triangles, colours)
 
 
 def unpack_filling(arrays: Arrays, file: str) -> Filling:

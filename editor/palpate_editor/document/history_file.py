@@ -3,7 +3,8 @@
 
 An array that the file has already is named, `{"array": "imported/vertices"}`. Rows of numbers of
 all lines stand behind each other in two arrays, `{"integers": [start, stop]}` and
-`{"numbers": [start, stop]}`. A surface is `{"surface": [vertices, triangles]}`.
+`{"numbers": [start, stop]}`. A surface is `{"surface": [vertices, triangles]}`,
+with its colours behind them where it has some.
 """
 
 from __future__ import annotations
@@ -44,7 +45,8 @@ class Packing:
 
     def pack(self, value: Any) -> Any:
         if isinstance(value, Surface):
-            return {"surface": [self.pack(value.vertices), self.pack(value.triangles)]}
+            arrays = (value.vertices, value.triangles, value.colours)
+            return {"surface": [self.pack(array) for array in arrays if array is not None]}
         if isinstance(value, np.ndarray):
             return self.pack_array(value)
         if isinstance(value, Mapping):
@@ -115,9 +117,9 @@ class Unpacking:
         return found
 
     def unpack_surface(self, where: str, value: Any) -> Surface:
-        if not isinstance(value, list) or len(value) != 2:
-            raise self.refuse(where, value, "vertices and triangles")
-        vertices, triangles = (self.unpack(where, part) for part in value)
+        if not isinstance(value, list) or len(value) not in (2, 3):
+            raise self.refuse(where, value, "vertices and triangles, and perhaps colours")
+        vertices, triangles, *rest = (self.unpack(where, part) for part in value)
         for array, dtype in ((vertices, np.float64), (triangles, np.int32)):
             fits = isinstance(array, np.ndarray) and array.dtype == dtype
             if not fits or array.ndim != 2 or array.shape[1] != 3:
@@ -125,7 +127,16 @@ class Unpacking:
         if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(vertices):
             numbers = f"vertex numbers {triangles.min()} to {triangles.max()}"
             raise Refusal(self.file, where, numbers, f"0 to {len(vertices) - 1}")
-        return Surface(vertices, triangles)
+        return Surface(vertices, triangles, self.check_colours(where, rest, len(vertices)))
+
+    def check_colours(self, where: str, rest: list[Any], count: int) -> np.ndarray | None:
+        if not rest:
+            return None
+        colours = rest[0]
+        fits = isinstance(colours, np.ndarray) and colours.dtype == np.uint8
+        if not fits or colours.shape != (count, 3):
+            raise Refusal(self.file, where, "another array", f"|u1 of shape ({count}, 3)")
+        return colours
 
     def finish(self) -> None:
         """Refuses an array that nobody took."""

@@ -36,10 +36,15 @@ class Surface:
     """[m] (n, 3), read-only"""
     triangles: np.ndarray
     """(t, 3) int32, counter-clockwise from outside, read-only"""
+    colours: np.ndarray | None = None
+    """(n, 3) uint8, sRGB, read-only: nothing that is felt; None where all are alike"""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "vertices", freeze(self.vertices, np.float64, (None, 3)))
         object.__setattr__(self, "triangles", freeze(self.triangles, np.int32, (None, 3)))
+        if self.colours is not None:
+            count = len(self.vertices)
+            object.__setattr__(self, "colours", freeze(self.colours, np.uint8, (count, 3)))
 
     def __repr__(self) -> str:
         return f"Surface({len(self.vertices)} vertices, {len(self.triangles)} triangles)"

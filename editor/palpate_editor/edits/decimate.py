@@ -16,6 +16,7 @@ from palpate_editor.edits.carry import carry_far_field, carry_paint, number_pain
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.edits.history import LATER
 from palpate_editor.edits.repair import find_crowded, find_disagreeing
+from palpate_editor.vertex_colours import carry_colours
 
 MOST_TRIES = 16
 """Counts that are tried for an error."""
@@ -98,7 +99,8 @@ def decimate_organ(organ: Organ, vertices: int, features: bool = False) -> Decim
                 why=str(problem),
             )
         ) from None
-    surface = Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))
+    made = Surface(np.asarray(found.mesh.vertices), np.asarray(found.mesh.triangles))
+    surface = carry_colours(made, source)
     return Decimate(
         source,
         surface,

@@ -16,15 +16,18 @@ from palpate.files.refusal import Refusal
 from palpate_editor.document import EMPTY, History, Line, Organ, Surface, freeze
 from palpate_editor.document.history import has_room
 from palpate_editor.edits.edit import Edit
+from palpate_editor.edits.keep_colours import keep_colours
 
 
 def write_down(kind: type) -> None:
-    """Lets every call of an edit of this class leave its line."""
+    """Lets every call of an edit of this class leave its line, and keep the organ's colours."""
     call = kind.__call__
 
     @wraps(call)
     def noted(self: Edit, organ: Organ) -> Organ:
-        return note(self, organ, call(self, organ))
+        made = call(self, organ)
+        begins = getattr(self, "begins", False)
+        return note(self, organ, made if begins else keep_colours(organ, made))
 
     kind.__call__ = noted  # type: ignore[method-assign]
 

@@ -30,6 +30,8 @@ from palpate_editor.edits.own_filling import take_filling
 from palpate_editor.edits.part_regions import find_regions
 from palpate_editor.edits.place_parts import find_colour, place_surfaces
 from palpate_editor.edits.wall import settle_wall
+from palpate_editor.pictures import decode_pictures
+from palpate_editor.vertex_colours import find_mean, paint_surface
 
 REPAIRS = tuple(f.name for f in fields(Repairs) if f.name != "welded_vertices")
 """Those that are counted after the parts of a file were welded."""
@@ -181,10 +183,11 @@ def add_belongings(
     source, surface = read.source, read.surface
     unit, ratio = joined.unit, METRES[source.unit] / METRES[joined.unit]
     filling, said = take_filling(scene, unit, source.up, surface, ratio)
-    colour, differ = find_colour(scene, source.parts)
-    notes = list(filter(None, [*source.notes, said]))
-    if differ:
-        notes.append("its parts differ in colour: the organ has their mean")
+    colour = find_colour(scene, source.parts)
+    surface, words = colour_surface(surface, scene, source, unit, ratio)
+    if surface.colours is not None:
+        colour = find_mean(surface)
+    notes = [*filter(None, [*source.notes, said]), *words]
     if joined.welded_across:
         notes.append(
             f"{joined.welded_across} vertices were welded across parts, by up to "
@@ -197,6 +200,7 @@ def add_belongings(
         names, region_of = find_regions(surface, placed)
     return replace(
         read,
+        surface=surface,
         source=replace(source, notes=tuple(notes)),
         assembly=describe_assembly(assembling, joined),
         regions=names,
@@ -205,6 +209,24 @@ def add_belongings(
         filling_vertices=None if filling is None else filling.vertices.ravel(),
         filling_tetrahedra=None if filling is None else filling.tetrahedra.ravel(),
     )
+
+
+def colour_surface(
+    surface: Surface, scene: authoring.ImportedScene, source: Source, unit: str, ratio: float
+) -> tuple[Surface, list[str]]:
+    """With the colours that the file has for its vertices, and a word of them; of a picture that
+    cannot be decoded as well."""
+    parts = [part for part in scene.parts if part.name in source.parts]
+    used = {int(n) for part in parts for n in np.unique(np.asarray(part.pictures))}
+    pictures, words = decode_pictures(scene.pictures if used - {-1} else [])
+    placed = [at for _, at in place_surfaces(scene, unit, source.up, source.parts, ratio)]
+    colours = paint_surface(surface, parts, placed, pictures)
+    if colours is None:
+        return surface, words
+    drawn = sum(picture is not None for picture in pictures)
+    of = "" if drawn == 0 else ", of its picture" if drawn == 1 else f", of its {drawn} pictures"
+    said = f"its colours come along, one for each vertex{of}"
+    return replace(surface, colours=colours), [*words, said]
 
 
 def describe_assembly(assembling: Assembling, joined: authoring.JoinedSurface) -> Assembly | None:
@@ -234,7 +256,7 @@ def guess_unit_by_name(read: ImportMesh) -> ImportMesh:
     return replace(
         read,
         source=replace(source, unit=unit, unit_reason=reason),
-        surface=Surface(ratio * read.surface.vertices, read.surface.triangles),
+        surface=replace(read.surface, vertices=ratio * read.surface.vertices),
     )
 
 

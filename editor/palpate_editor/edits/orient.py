@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from palpate_editor.document import Filling, Organ, Source, Surface, phrase
+from palpate_editor.document import Filling, Organ, Source, phrase
 from palpate_editor.edits.edit import EditError, find_surface
 
 METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": 0.0254, "ft": 0.3048}
@@ -36,12 +36,12 @@ def find_source(organ: Organ) -> Source:
 def map_surfaces(organ: Organ, move: Callable[[np.ndarray], np.ndarray]) -> Organ:
     """Both surfaces and the file's filling moved alike; surfaces that are one object stay one."""
     surface = find_surface(organ)
-    moved = Surface(move(surface.vertices), surface.triangles)
+    moved = replace(surface, vertices=move(surface.vertices))
     imported = organ.imported
     if imported is surface:
         imported = moved
     elif imported is not None:
-        imported = Surface(move(imported.vertices), imported.triangles)
+        imported = replace(imported, vertices=move(imported.vertices))
     filling = organ.filling
     if filling is not None:
         filling = Filling(move(filling.vertices), filling.tetrahedra)

@@ -11,9 +11,6 @@ from palpate_editor import authoring
 from palpate_editor.document import Surface
 from palpate_editor.edits.orient import METRES, TURNS
 
-DIFFERENT = 0.02
-"""[-] Of a channel: colours that are further apart are told to be different."""
-
 
 def place(points: np.ndarray, unit: str, up: str) -> np.ndarray:
     """[m] (n, 3) Points of a file, z up; the very numbers that reading the surface gives."""
@@ -38,10 +35,8 @@ def place_surfaces(
     return found
 
 
-def find_colour(
-    scene: authoring.ImportedScene, names: Sequence[str]
-) -> tuple[tuple[float, ...] | None, bool]:
-    """sRGB, 0 to 1: the mean by area of the parts that have a colour, and whether they differ."""
+def find_colour(scene: authoring.ImportedScene, names: Sequence[str]) -> tuple[float, ...] | None:
+    """sRGB, 0 to 1: the mean by area of the parts that have a colour."""
     colours, areas = [], []
     for part in scene.parts:
         if part.name in names and part.colour is not None:
@@ -50,7 +45,6 @@ def find_colour(
             areas.append(float(np.linalg.norm(sides, axis=1).sum()))
             colours.append(part.colour)
     if not colours or not sum(areas) > 0.0:
-        return None, False
+        return None
     mean = np.average(np.array(colours), axis=0, weights=areas)
-    differ = bool((np.ptp(np.array(colours), axis=0) > DIFFERENT).any())
-    return tuple(np.clip(mean, 0.0, 1.0).tolist()), differ
+    return tuple(np.clip(mean, 0.0, 1.0).tolist())

@@ -68,7 +68,7 @@ class TurnOutward:
         mesh = palpate.SurfaceMesh(surface.vertices, surface.triangles)
         if palpate.compute_volume(mesh) > 0.0:
             raise EditError(phrase("The triangles face outwards already."))
-        turned = Surface(surface.vertices, surface.triangles[:, ::-1])
+        turned = replace(surface, triangles=surface.triangles[:, ::-1])
         imported = turned if organ.imported is surface else organ.imported
         # the vertices are the same, so what was painted on them is too
         return replace(organ, surface=turned, imported=imported)

@@ -130,5 +130,9 @@ def read_mz3(path: str) -> Scene:
         raise Refusal("", got, f"{points} points and {faces} triangles")
     rows = np.frombuffer(content, "<i4", 3 * faces, begin).reshape(-1, 3)
     x = np.frombuffer(content, "<f4", 3 * points, begin + 12 * faces).reshape(-1, 3)
-    part: Part = cut_out(Path(path).stem, x, rows)
+    colours = None
+    at = begin + 12 * (faces + points)
+    if has & 4 and len(content) >= at + 4 * points:
+        colours = np.frombuffer(content, "u1", 4 * points, at).reshape(-1, 4)[:, :3]
+    part: Part = cut_out(Path(path).stem, x, rows, colours)
     return Scene([part], up="z")

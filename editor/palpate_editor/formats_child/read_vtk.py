@@ -18,6 +18,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkDataObject,
     vtkDataSet,
+    vtkDataSetAttributes,
     vtkGenericCell,
     vtkPolyData,
     vtkStructuredGrid,
@@ -140,22 +141,30 @@ def take_surface(name: str, data: vtkDataSet) -> Part:
     if flat.GetNumberOfPolys() == 0:
         raise Refusal("", "no polygons", "a surface made of triangles or polygons")
     corners = vtk_to_numpy(flat.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    part = cut_out(name, vtk_to_numpy(flat.GetPoints().GetData()), corners)
+    colours = find_colours(flat.GetPointData())
+    part = cut_out(name, vtk_to_numpy(flat.GetPoints().GetData()), corners, colours)
     return replace(part, colour=find_colour(flat))
 
 
 def find_colour(data: vtkPolyData) -> tuple[float, ...]:
-    """The mean of colours that stand at points or at polygons, as three or four bytes each; none
-    where there are none, or they are all white."""
+    """The mean of colours that stand at points or at polygons; none where there are none, or they
+    are all white."""
     for of in (data.GetPointData(), data.GetCellData()):
-        colours = of.GetScalars()
-        if colours is None or colours.GetNumberOfTuples() == 0:
-            continue
-        values = vtk_to_numpy(colours)
-        if values.dtype == np.uint8 and values.ndim == 2 and values.shape[1] in (3, 4):
-            mean = values[:, :3].mean(axis=0) / 255.0
+        values = find_colours(of)
+        if values is not None:
+            mean = values.mean(axis=0) / 255.0
             return () if (mean > 0.998).all() else tuple(mean.tolist())
     return ()
+
+
+def find_colours(of: vtkDataSetAttributes) -> np.ndarray | None:
+    """(n, 3) uint8, where its scalars are three or four bytes each."""
+    colours = of.GetScalars()
+    if colours is None or colours.GetNumberOfTuples() == 0:
+        return None
+    values = vtk_to_numpy(colours)
+    is_colour = values.dtype == np.uint8 and values.ndim == 2 and values.shape[1] in (3, 4)
+    return values[:, :3] if is_colour else None
 
 
 def take_filling(grid: vtkUnstructuredGrid, notes: list[str]) -> Filling:

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 import struct
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-MAGIC = struct.pack("<Q", 0x32454E4543534C50)
+MAGIC = struct.pack("<Q", 0x33454E4543534C50)
 SCENE, REFUSAL = 0, 1
 
 
@@ -31,6 +31,8 @@ class Part:
     """(t, 3)"""
     colour: tuple[float, ...] = ()
     """sRGB, 0 to 1; empty where the file says none."""
+    colours: np.ndarray | None = None
+    """(n, 3) uint8, sRGB, of the vertices; None where they have none, or all the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,15 +62,20 @@ class Scene:
     """x, y, z, -x, -y or -z; empty where nothing is stated."""
 
 
-def cut_out(name: str, vertices: np.ndarray, triangles: np.ndarray) -> Part:
-    """The vertices that some triangles use, in the order of the file. Raises Refusal for a corner
-    that there is no vertex for."""
+def cut_out(
+    name: str, vertices: np.ndarray, triangles: np.ndarray, colours: np.ndarray | None = None
+) -> Part:
+    """The vertices that some triangles use, in the order of the file, with their colours (n, 3)
+    uint8. Raises Refusal for a corner that there is no vertex for."""
     triangles = np.asarray(triangles, np.int64).reshape(-1, 3)
     check_corners(name, triangles, len(vertices))
     used = np.unique(triangles)
     place = np.zeros(len(vertices), np.int32)
     place[used] = np.arange(len(used), dtype=np.int32)
-    return Part(name, np.asarray(vertices, float)[used], place[triangles])
+    part = Part(name, np.asarray(vertices, float)[used], place[triangles])
+    if colours is None or not np.ptp(colours[used], axis=0).any():
+        return part
+    return replace(part, colours=colours[used])
 
 
 def check_corners(name: str, corners: np.ndarray, count: int) -> None:
@@ -107,9 +114,20 @@ def encode_scene(scene: Scene) -> bytes:
         pieces += [encode_text(part.name), struct.pack("<I", 0)]
         pieces += [encode_array(np.array(part.colour), "=f8")]
         pieces += [encode_array(part.vertices, "=f8"), encode_array(part.triangles, "=i4")]
+        pieces += encode_paint(part)
+    pieces.append(struct.pack("<I", 0))
     pieces.append(encode_array(scene.filling.vertices, "=f8"))
     pieces.append(encode_array(scene.filling.tetrahedra, "=i4"))
     return b"".join([*pieces, MAGIC])
+
+
+def encode_paint(part: Part) -> list[bytes]:
+    """Of each corner its place on a picture, and its colour; of each triangle no picture."""
+    if part.colours is None:
+        return [struct.pack("<I", 0), struct.pack("<I", 0)]
+    colours = part.colours[part.triangles].reshape(-1, 3) / 255.0
+    paint = np.hstack([np.zeros((len(colours), 2)), colours])
+    return [encode_array(paint, "=f4"), encode_array(np.full(len(part.triangles), -1), "=i4")]
 
 
 def encode_array(array: np.ndarray, kind: str) -> bytes:

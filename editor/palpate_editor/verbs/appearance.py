@@ -43,6 +43,12 @@ def add_appearance(parser: argparse.ArgumentParser) -> None:
         metavar="#RRGGBB",
         help="of the tissue in sRGB; its spots and vessels go with it (the style's own)",
     )
+    parser.add_argument(
+        "--keep-vertex-colours",
+        action="store_true",
+        help="leave the colours that the organ's file gave its vertices where they are; else a new "
+        "style or colour takes their place",
+    )
     add_output(
         parser,
         "--out",
@@ -71,6 +77,7 @@ def run_appearance(call: argparse.Namespace) -> Report:
         "style": None if style is None else style.name,
         "colour": None if organ.appearance is None else write_colour(organ.appearance.colour),
         "appearance": None if organ.appearance is None else asdict(organ.appearance),
+        "vertex_colours": organ.surface is not None and organ.surface.colours is not None,
         "styles": list(read_styles()),
     }
 
@@ -86,7 +93,10 @@ def change(call: argparse.Namespace, organ: Organ) -> Organ:
         style = known.name
     if style == PLAIN and call.colour is not None:
         raise Refusal(call.file, "--colour", f"--style {PLAIN}", "a style that has a colour")
-    edit = SetAppearance(None if style == PLAIN else style, call.colour)
+    keep = call.keep_vertex_colours
+    if keep and (organ.surface is None or organ.surface.colours is None):
+        raise Refusal(call.file, "--keep-vertex-colours", "no colours of its vertices", "some")
+    edit = SetAppearance(None if style == PLAIN else style, call.colour, keep)
     return apply(edit, organ, call.file, "--style")
 
 
@@ -95,6 +105,8 @@ def describe_appearance(report: Report) -> str:
         line = "plain tissue"
     else:
         line = f"{report['style'] or 'an appearance of its own'}, {report['colour']}"
+    if report["vertex_colours"]:
+        line += ", with the colours of its vertices"
     if report["out"]:
         return f"wrote {report['out']}: {line}"
     return f"{line}; styles: {', '.join(report['styles'])}"

@@ -79,6 +79,7 @@ class Display(QObject):
                 view.show_surface(np.zeros((0, 3)), np.zeros((0, 3), np.int32))
         elif before is None or before.surface is not organ.surface:
             view.show_surface(organ.surface.vertices, organ.surface.triangles)
+            view.show_colours(organ.surface.colours)
         if before is None or before.appearance != organ.appearance:
             view.use_appearance(
                 None if organ.appearance is None else build_appearance(organ.appearance)

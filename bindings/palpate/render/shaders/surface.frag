@@ -8,6 +8,7 @@ in Fragment {
   float selection;
   float openness;
   vec3 rest;
+  vec3 tint;
   vec3 barycentric;
 } fragment;
 
@@ -20,6 +21,7 @@ uniform float ambient;        // light from all around, of the theme
 uniform sampler2D colours;    // 256 by 1, linear light, like the colours below
 uniform vec2 value_range;
 uniform bool mapped;          // whether the colour map or `colour` paints this part
+uniform bool tinted;          // whether the colours of the vertices stand for it and the pattern
 uniform vec3 colour;
 uniform vec3 highlight;       // of what is selected
 uniform float gloss;          // 0 dull, 1 wet or polished
@@ -124,10 +126,12 @@ vec3 raise(vec3 n, float height) {
 #endif
 
 vec3 paint(bool outside, vec2 pattern) {
-  vec3 c = colour;
+  vec3 c = tinted ? fragment.tint : colour;
 #if PATTERN
-  c = mix(c, pattern_colour, pattern_strength * smoothstep(0.32, 0.72, pattern.x));
-  c = mix(c, vein_colour, vein_strength * pattern.y);
+  if (!tinted) {
+    c = mix(c, pattern_colour, pattern_strength * smoothstep(0.32, 0.72, pattern.x));
+    c = mix(c, vein_colour, vein_strength * pattern.y);
+  }
 #endif
   if (mapped) {
     float t = clamp((fragment.value - value_range.x) / (value_range.y - value_range.x), 0.0, 1.0);

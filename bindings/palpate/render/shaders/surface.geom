@@ -14,6 +14,7 @@ in Corner {
   float selection;
   float openness;
   vec3 rest;
+  vec3 tint;
 } corner[];
 
 out Fragment {
@@ -23,6 +24,7 @@ out Fragment {
   float selection;
   float openness;
   vec3 rest;
+  vec3 tint;
   vec3 barycentric;
 } fragment;
 
@@ -35,6 +37,7 @@ void main() {
     fragment.selection = corner[i].selection;
     fragment.openness = corner[i].openness;
     fragment.rest = corner[i].rest;
+    fragment.tint = corner[i].tint;
     fragment.barycentric = vec3(i == 0, i == 1, i == 2);
     EmitVertex();
   }

@@ -7,6 +7,7 @@ in float value;       // what the colour map shows
 in float selection;   // 0 to 1
 in float openness;    // share of the sky that is seen, 0 to 1
 in vec3 rest;         // [m] where the vertex is at rest, to which the pattern sticks
+in vec3 tint;         // its own colour, linear light
 
 uniform mat4 world_to_clip;
 
@@ -17,6 +18,7 @@ out Corner {
   float selection;
   float openness;
   vec3 rest;
+  vec3 tint;
 } corner;
 
 void main() {
@@ -27,4 +29,5 @@ void main() {
   corner.selection = selection;
   corner.openness = openness;
   corner.rest = rest;
+  corner.tint = tint;
 }

@@ -344,12 +344,36 @@
         <translation>%1 cm uzunluğunda bir birim bildirir, bunun burada adı yok</translation>
     </message>
     <message>
-        <source>textures stay behind: an organ has a colour and a pattern, and no picture on it</source>
-        <translation>dokular gelmez: bir organın rengi ve deseni vardır, üzerinde resim yoktur</translation>
+        <source>its colours come along, one for each vertex</source>
+        <translation>renkleri de geliyor, her köşe için bir tane</translation>
     </message>
     <message>
-        <source>the colours of its vertices stay behind</source>
-        <translation>köşelerinin renkleri gelmez</translation>
+        <source>its colours come along, one for each vertex, of its picture</source>
+        <translation>renkleri de geliyor, her köşe için bir tane, resminden</translation>
+    </message>
+    <message>
+        <source>its colours come along, one for each vertex, of its %1 pictures</source>
+        <translation>renkleri de geliyor, her köşe için bir tane, %1 resminden</translation>
+    </message>
+    <message>
+        <source>the picture %1 is not beside it or below its folder</source>
+        <translation>%1 resmi yanında ya da klasörünün altında değil</translation>
+    </message>
+    <message>
+        <source>the picture %1 stays behind: %2</source>
+        <translation>%1 resmi geride kalıyor: %2</translation>
+    </message>
+    <message>
+        <source>the picture %1 is too large: at most 150 MB of them are taken</source>
+        <translation>%1 resmi çok büyük: en çok 150 MB alınır</translation>
+    </message>
+    <message>
+        <source>pictures of PLY files stay behind</source>
+        <translation>PLY dosyalarının resimleri geride kalır</translation>
+    </message>
+    <message>
+        <source>the colours of its vertices stay behind: a binary OFF&apos;s are not read</source>
+        <translation>köşelerinin renkleri gelmez: ikili OFF dosyalarınınki okunmaz</translation>
     </message>
     <message>
         <source>the gantry was tilted by %1 degrees</source>

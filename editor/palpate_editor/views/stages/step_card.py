@@ -66,6 +66,7 @@ class StepCard(QWidget):
         self.context.show_preview(True)
         self.context.view.show_selection(None)
         self.context.view.show_surface(surface.vertices, surface.triangles)
+        self.context.view.show_colours(surface.colours)
 
     def apply(self) -> None:
         step = self.step
