@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from palpate.viewport.dent_patch import MOST_POINTS, DentPatch, build_dent
 from palpate.viewport.thing import Thing
 
-CARRIED = ("value", "selection", "rest", "tint")
+CARRIED = frozenset({"value", "selection", "rest", "tint"})
 """Streams of a surface that its pieces have as well."""
 
 
@@ -71,6 +71,8 @@ class DrawnDent:
         thing.use_triangles(rows)
         thing.write_first("position", patch.position)
         thing.write_first("normal", patch.normal)
-        for name in CARRIED:
+        if "tint" in surface.streams:
+            thing.tint()
+        for name in CARRIED & surface.streams.keys():
             thing.write_first(name, patch.carry(surface.streams[name]))
         thing.write_first("openness", patch.openness * patch.carry(surface.streams["openness"]))

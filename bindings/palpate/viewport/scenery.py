@@ -152,6 +152,7 @@ class Scenery:
         if surface is None:
             return
         if colours is not None:
+            surface.tint()
             surface.write("tint", decode_all(colours))
         if self.legend is None:
             surface.appearance = self._look()

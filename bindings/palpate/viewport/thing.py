@@ -21,7 +21,6 @@ class Thing:
             "selection": np.zeros(vertex_count, np.float32),
             "openness": np.ones(vertex_count, np.float32),
             "rest": np.zeros((vertex_count, 3), np.float32),
-            "tint": np.ones((vertex_count, 3), np.float32),
         }
         self.part: Part | None = None
         self._stale = set(self.streams)
@@ -31,6 +30,11 @@ class Thing:
         """Others of the same vertices, as many as there are."""
         if not np.array_equal(self.triangles, triangles):
             self.triangles, self._regrouped = triangles, True
+
+    def tint(self) -> None:
+        """From here on its vertices have colours of their own."""
+        count = len(self.streams["position"])
+        self.streams.setdefault("tint", np.ones((count, 3), np.float32))
 
     def write_first(self, name: str, values: ArrayLike) -> None:
         """Copies into the first rows of a stream."""
