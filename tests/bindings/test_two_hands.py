@@ -10,8 +10,10 @@ import palpate
 import pytest
 from palpate import scenario
 from palpate.command.verb import WrongCall
+from palpate.render import build_instrument
 from palpate.runs.felt import read_column, read_touched
 from palpate.runs.other_hands import find_centre, find_fulcrum, name_hands, park
+from palpate.runs.pictures import place_instruments
 from palpate.runs.play import open_play, play_headless
 from palpate.runs.script_file import write_script_file
 from palpate.viewport import Grip, PointerHands, make_view
@@ -83,6 +85,20 @@ def test_the_other_hand_is_parked_beside_the_organ(published, tmp_path):
     where = read_column(rows, "hand", "position", 1)
     assert np.ptp(where, axis=0).max() == 0.0
     assert where[0] == pytest.approx(park(scene, 1))
+
+
+def test_a_picture_of_a_record_has_every_instrument():
+    scene = make_scene()
+    world = palpate.World(scene)
+    samples = [palpate.HapticSample(position=(x, 0.0, 0.09)) for x in (0.0, 0.03)]
+    palpate.tick(scene, samples, 1e-3, world)
+
+    *shaft, ball = place_instruments(scene, world)
+
+    assert len(shaft) == len(build_instrument(scene.instruments[0].tool).parts)
+    assert ball.shape.vertices.mean(axis=0) == pytest.approx([0.03, 0.0, 0.09], abs=1e-3)
+    only = organ_scene(2)
+    assert place_instruments(only, palpate.World(only)) == []
 
 
 def test_hands_are_named_in_the_order_of_the_instruments():

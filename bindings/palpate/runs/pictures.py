@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +14,9 @@ from palpate.runs.felt import read_column, read_force
 from palpate.runs.replay import open_record
 from palpate.runs.run import PUBLISHED, Run
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
+
+if TYPE_CHECKING:
+    from palpate.render import DrawnPart
 
 
 def pose_at(scene: palpate.Scene, record: palpate.Record, tick: int) -> palpate.World:
@@ -46,10 +49,10 @@ def picture_of_record(
     title: str | None = None,
     scene_path: Path | None = None,
 ) -> float:
-    """Draws the organs of a record at a time [s], or where a force was greatest, with the
-    instrument that felt most then; returns when.
+    """Draws the organs of a record at a time [s], or where a force was greatest, with all
+    instruments, and the force and the shadow of the one that felt most then; returns when.
     """
-    from palpate.render import build_instrument, build_shade, place_instrument, save_picture
+    from palpate.render import build_shade, save_picture
     from palpate.render.instrument import find_rotation
     from palpate.render.instrument_shade import find_glow
 
@@ -65,9 +68,6 @@ def picture_of_record(
     world = pose_at(scene, record, tick)
     x = join_positions([np.asarray(palpate.surface_position(body)) for body in world.bodies])
     its, state = scene.instruments[felt].tool, world.instruments[felt].tool
-    drawn = build_instrument(its)
-    held = (state.position, state.orientation, state.jaw_angle)
-    parts = () if drawn is None else place_instrument(drawn, *held)
     glow = find_glow(bool(state.touching), float(sizes[felt, tick]))
     rotation = find_rotation(state.orientation)
     shade = build_shade(its, state.position, rotation, glow, opening=state.jaw_angle)
@@ -78,13 +78,30 @@ def picture_of_record(
         values=1e3 * np.linalg.norm(x - join_rest_surfaces(scene), axis=1),
         legend="displacement [mm]",
         tool=(np.asarray(state.position), its.radius),
-        instrument=parts,
+        instrument=place_instruments(scene, world),
         shade=shade,
         force=forces[felt, tick],
         title=title or name_scene(where),
         **options,
     )
     return float(times[tick])
+
+
+def place_instruments(scene: palpate.Scene, world: palpate.World) -> list[DrawnPart]:
+    """[m] Every instrument where it is; none of an only one that is a ball, which a picture draws
+    by itself."""
+    from palpate.render import DrawnPart, build_instrument, place_instrument
+    from palpate.render.instrument import METAL
+    from palpate.render.shapes import build_sphere
+
+    parts: list[DrawnPart] = []
+    for its, now in zip(scene.instruments, world.instruments, strict=True):
+        tool, drawn = now.tool, build_instrument(its.tool)
+        if drawn is not None:
+            parts += place_instrument(drawn, tool.position, tool.orientation, tool.jaw_angle)
+        elif len(scene.instruments) > 1:
+            parts.append(DrawnPart(build_sphere(tool.position, its.tool.radius), METAL))
+    return parts
 
 
 def name_scene(path: Path) -> str:
