@@ -12,6 +12,7 @@
 #include "palpate/sim/base/error.h"
 #include "palpate/sim/base/lock_free.h"
 #include "palpate/sim/base/types.h"
+#include "palpate/sim/collision/body_pair.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/find_candidates.h"
 #include "palpate/sim/contact/tool.h"

@@ -2814,13 +2814,16 @@ class TickCosts:
     def pairs(self) -> tuple:
         """A tuple."""
     @property
+    def body_pairs(self) -> tuple:
+        """As Scene.body_pairs, a tuple."""
+    @property
     def tick(self) -> float:
         """[s] the whole"""
     def __copy__(self) -> TickCosts:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> TickCosts:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -2868,13 +2871,16 @@ class SceneCosts:
     def pairs(self) -> tuple:
         """Every instrument with every body, as World.pairs, a tuple."""
     @property
+    def body_pairs(self) -> tuple:
+        """As Scene.body_pairs, a tuple."""
+    @property
     def alarm(self) -> Alarm:
         """What ended the run early; false for nothing."""
     def __copy__(self) -> SceneCosts:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> SceneCosts:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -2904,6 +2910,7 @@ class SoftBody:
         far_compliance: ArrayLike = ...,
         contact_facets: bool = ...,
         tied_holds: bool = ...,
+        may_fold: bool = ...,
     ) -> None:
         """Copies its tissue.
 
@@ -2945,6 +2952,10 @@ class SoftBody:
     tied_holds: bool
     """Of a body with a contact_modulus: what a tool holds gives way as tissue does under it;
     else as the mesh does where it is fastened.
+    """
+    may_fold: bool
+    """Parts of its surface may touch others of it: build_scene adds a BodyPair of it with
+    itself.
     """
     @property
     def far_compliance(self) -> NDArray[np.float64]:
@@ -2996,10 +3007,53 @@ class SoftBody:
         object,
         object,
         object,
+        object,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
+
+class BodyPair:
+    """Two bodies that may touch, or one that touches itself where it folds, and the barrier
+    between their surfaces. Bodies in no common pair pass through each other.
+    """
+    def __init__(
+        self,
+        first: int = ...,
+        second: int = ...,
+        *,
+        thickness: float = ...,
+        stiffness: float = ...,
+        damping: float = ...,
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    @property
+    def first(self) -> int:
+        """Of Scene.bodies."""
+    @property
+    def second(self) -> int:
+        """Another one; the same for a body that may fold."""
+    @property
+    def thickness(self) -> float:
+        """[m] nearer than this, surfaces push each other; build_scene chooses 0.3 to 0.5 mm
+        when 0.
+        """
+    @property
+    def stiffness(self) -> float:
+        """[N/m³] the pressure over the depth in that thickness; build_scene chooses E / (3
+        thickness) when 0, E of the stiffer body.
+        """
+    @property
+    def damping(self) -> float:
+        """[-] of critical, of the vertices that touch; 0 to 1."""
+    def __copy__(self) -> BodyPair:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> BodyPair:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class RigidBody:
     """What moves and keeps its shape, a stone for one: a hull of spheres. Not simulated yet:
@@ -3135,6 +3189,7 @@ class Scene:
         rigid: Sequence[RigidBody] = ...,
         scenery: Sequence[Scenery] = ...,
         exchange_rate: float = ...,
+        body_pairs: Sequence[BodyPair] = ...,
     ) -> None:
         """Copies its parts: one body and one instrument unless others are given. build_scene
         makes it ready for ticks.
@@ -3153,6 +3208,9 @@ class Scene:
     @property
     def instruments(self) -> tuple:
         """A tuple; each has a hand of its own."""
+    @property
+    def body_pairs(self) -> tuple:
+        """Which bodies may touch each other, a tuple; each pair once."""
     @property
     def gravity(self) -> NDArray[np.float64]:
         """[m/s²]; shape (3,), a view."""
@@ -3180,6 +3238,7 @@ class Scene:
         list[RigidBody],
         list[Scenery],
         float,
+        list[BodyPair],
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
@@ -3289,6 +3348,37 @@ class ContactPair:
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
+class BodyPairState:
+    """How two bodies of a running scene touch, after every tick."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def near(self) -> bool:
+        """Some of their surfaces may come to touch."""
+    @property
+    def touching(self) -> int:
+        """Vertices within the thickness, in the last substep."""
+    @property
+    def least_gap(self) -> float:
+        """[m] between the surfaces where they were nearest in the last tick, below 0 inside of
+        each other; infinite where nothing was within the thickness.
+        """
+    @property
+    def force(self) -> NDArray[np.float64]:
+        """[N] on the second body, mean of the last tick; 0 of a body with itself. Shape (3,), a
+        view.
+        """
+    @force.setter
+    def force(self, value: ArrayLike) -> None: ...
+    def __copy__(self) -> BodyPairState:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> BodyPairState:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class World:
     """A running scene. Everything a tick needs is allocated here, once."""
     def __init__(self, scene: Scene, *, recovers: bool = ...) -> None:
@@ -3308,6 +3398,9 @@ class World:
     @property
     def pairs(self) -> tuple:
         """Every instrument with every body, a tuple; read-only."""
+    @property
+    def body_pairs(self) -> tuple:
+        """As Scene.body_pairs, a tuple; read-only."""
     def pair(self, instrument: int, body: int) -> object:
         """An instrument with a body; read-only."""
     @property

@@ -47,10 +47,11 @@ void bind_tick_costs(py::module_& m) {
   def_elements(costs, "bodies", &TickCosts::bodies, "A tuple.");
   def_elements(costs, "instruments", &TickCosts::instruments, "A tuple.");
   def_elements(costs, "pairs", &TickCosts::pairs, "A tuple.");
+  def_elements(costs, "body_pairs", &TickCosts::body_pairs, "As Scene.body_pairs, a tuple.");
   costs.def_readonly("tick", &TickCosts::tick, "[s] the whole");
   def_value(costs, &TickCosts::bodies, &TickCosts::instruments, &TickCosts::pairs,
-            &TickCosts::tick);
-  def_repr(costs, {"tick", "bodies", "instruments", "pairs"});
+            &TickCosts::body_pairs, &TickCosts::tick);
+  def_repr(costs, {"tick", "bodies", "instruments", "pairs", "body_pairs"});
 }
 
 void bind_scene_costs(py::module_& m) {
@@ -73,10 +74,12 @@ void bind_scene_costs(py::module_& m) {
   def_elements(costs, "instruments", &SceneCosts::instruments, "As Scene.instruments, a tuple.");
   def_elements(costs, "pairs", &SceneCosts::pairs,
                "Every instrument with every body, as World.pairs, a tuple.");
+  def_elements(costs, "body_pairs", &SceneCosts::body_pairs, "As Scene.body_pairs, a tuple.");
   costs.def_readonly("alarm", &SceneCosts::alarm, "What ended the run early; false for nothing.");
   def_value(costs, &SceneCosts::ticks, &SceneCosts::tick, &SceneCosts::bodies,
-            &SceneCosts::instruments, &SceneCosts::pairs, &SceneCosts::alarm);
-  def_repr(costs, {"ticks", "tick", "bodies", "instruments", "pairs", "alarm"});
+            &SceneCosts::instruments, &SceneCosts::pairs, &SceneCosts::body_pairs,
+            &SceneCosts::alarm);
+  def_repr(costs, {"ticks", "tick", "bodies", "instruments", "pairs", "body_pairs", "alarm"});
 }
 
 }  // namespace

@@ -77,10 +77,28 @@ void bind_states(py::module_& m) {
   });
 }
 
+void bind_body_pair_state(py::module_& m) {
+  py::class_<BodyPairState> pair(m, "BodyPairState",
+                                 "How two bodies of a running scene touch, after every tick.");
+  pair.def(py::init<>());
+  pair.def_readonly("near", &BodyPairState::near, "Some of their surfaces may come to touch.")
+      .def_readonly("touching", &BodyPairState::touching,
+                    "Vertices within the thickness, in the last substep.")
+      .def_readonly("least_gap", &BodyPairState::least_gap,
+                    "[m] between the surfaces where they were nearest in the last tick, below 0 "
+                    "inside of each other; infinite where nothing was within the thickness.");
+  def_vector(pair, "force", &BodyPairState::force,
+             "[N] on the second body, mean of the last tick; 0 of a body with itself.");
+  def_value(pair, &BodyPairState::near, &BodyPairState::touching, &BodyPairState::least_gap,
+            &BodyPairState::force);
+  def_repr(pair, {"near", "touching", "least_gap", "force"});
+}
+
 }  // namespace
 
 void bind_world(py::module_& m) {
   bind_states(m);
+  bind_body_pair_state(m);
   py::class_<World> world(m, "World",
                           "A running scene. Everything a tick needs is allocated here, once.");
   world.def(py::init([](const Scene& scene, bool recovers) {
@@ -97,6 +115,7 @@ void bind_world(py::module_& m) {
                "As Scene.instruments, a tuple; read-only.");
   def_elements(world, "pairs", &World::pairs,
                "Every instrument with every body, a tuple; read-only.");
+  def_elements(world, "body_pairs", &World::body_pairs, "As Scene.body_pairs, a tuple; read-only.");
   world
       .def(
           "pair",

@@ -6,7 +6,7 @@
 #include "palpate/scenario/ranges.h"
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/model/private/law_tables.h"
-#include "palpate/sim/tick/private/substep_need.h"
+#include "palpate/sim/tick/private/choose_substeps.h"
 
 namespace palpate::scenario {
 namespace {

@@ -171,13 +171,17 @@ const std::vector<Range>& list_ranges() {
 void check_ranges(const Scene& scene) {
   check_empty("scene.rigid", scene.rigid.size());
   check_empty("scene.scenery", scene.scenery.size());
+  check_empty("scene.body_pairs", scene.body_pairs.size());
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
     check_instrument(scene.instruments[i], i);
   }
   for (const double g : scene.gravity) check_number("scene.gravity", g);
   check_number("scene.rate", scene.rate);
   if (scene.exchange_rate != 0.0) check_number("scene.exchange_rate", scene.exchange_rate);
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) check_body(scene.bodies[b], b);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    check_empty("scene.bodies.may_fold", scene.bodies[b].may_fold ? 1 : 0);
+    check_body(scene.bodies[b], b);
+  }
 }
 
 }  // namespace palpate::scenario

@@ -55,7 +55,7 @@ void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   // kernel and vector target belong to the machine a scene runs on, a response and a near field are
   // solved for again: no file has them
   auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, iterations, simd_target,
-         contact_modulus, far_compliance, contact_facets, tied_holds, rest_areas,
+         contact_modulus, far_compliance, contact_facets, tied_holds, may_fold, rest_areas,
          spectrum_stiffness, spectrum_damping, least_damping_time, damped_limit, response,
          near_field] = body;
   const std::string t = folder + "tissue/";
@@ -77,7 +77,8 @@ inline std::string name_far_compliance(std::size_t body) {
 /// not tables: content.cpp has them.
 template <class SomeScene, class Visit>
 void visit_tables(SomeScene& scene, Visit visit) {
-  auto& [bodies, rigid, scenery, instruments, gravity, rate, exchange_rate, identity] = scene;
+  auto& [bodies, rigid, scenery, instruments, body_pairs, gravity, rate, exchange_rate, identity] =
+      scene;
   for (std::size_t b = 0; b < bodies.size(); ++b) visit_body(name_folder(b), bodies[b], visit);
 }
 

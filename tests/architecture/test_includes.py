@@ -25,6 +25,8 @@ ROOMS = {
     "contact": ("base", "mesh", "model", "response", "tree"),
     # what two jaws touch and hold, by the contacts of each
     "grasp": ("base", "contact"),
+    # surfaces of tissues that touch each other, and never a tool
+    "collision": ("base", "mesh", "model", "tree"),
     "device": ("base",),
     "tick": (
         "base",
@@ -37,6 +39,7 @@ ROOMS = {
         "tree",
         "contact",
         "grasp",
+        "collision",
         "device",
     ),
     "task": ("base", "mesh", "model", "contact", "device", "tick"),
@@ -60,7 +63,7 @@ ROOMS = {
 MOST_FILES = 36
 """in a room: with more it holds two."""
 
-MOST_PUBLIC_HEADERS = 48
+MOST_PUBLIC_HEADERS = 49
 
 POSIX = ("fcntl.h", "poll.h", "pthread.h", "sched.h", "sys/", "time.h", "unistd.h")
 SYSTEM = {

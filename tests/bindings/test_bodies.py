@@ -187,3 +187,53 @@ def test_a_record_names_the_arithmetic_of_every_body_and_a_replay_follows_it(sce
     fresh = palpate.build_scene(palpate.Scene(bodies=[make_body(), make_body(ASIDE)]))
     follow_header(fresh, told)
     assert [body.kernel for body in fresh.bodies] == [body.kernel for body in mixed.bodies]
+
+
+def test_bodies_of_a_pair_touch_and_others_pass_through_each_other():
+    top = np.asarray(make_body().tissue.rest_position)[:, 2].max()
+    bodies = [make_body(), make_body((0.0, 0.0, 2.0 * top + 3e-4))]
+    pair = palpate.BodyPair(0, 1, damping=0.2)
+    touching = palpate.build_scene(palpate.Scene(bodies=bodies, body_pairs=[pair]))
+    through = palpate.build_scene(palpate.Scene(bodies=bodies))
+    with_pair, without = palpate.World(touching), palpate.World(through)
+    for i in range(200):
+        down = press(3.0 * top + 0.01 - 1e-4 * i)
+        palpate.tick(touching, down, DT, with_pair)
+        palpate.tick(through, down, DT, without)
+
+    state = with_pair.body_pairs[0]
+    assert touching.body_pairs[0].damping == 0.2
+    assert 3e-4 <= touching.body_pairs[0].thickness <= 5e-4
+    assert touching.body_pairs[0].stiffness > 0.0
+    assert state.near
+    assert state.touching > 0
+    assert 0.0 < state.least_gap < touching.body_pairs[0].thickness
+    assert state.force[2] > 0.0
+    assert without.body_pairs == ()
+    moved = np.asarray(with_pair.bodies[0].tissue.position) - bodies[0].tissue.rest_position
+    still = np.asarray(without.bodies[0].tissue.position) - bodies[0].tissue.rest_position
+    assert np.abs(moved).max() > 10.0 * np.abs(still).max()
+
+
+def test_bodies_that_begin_in_each_other_are_refused_with_how_deep():
+    scene = palpate.Scene(
+        bodies=[make_body(), make_body((0.0, 0.0, 1e-3))], body_pairs=[palpate.BodyPair()]
+    )
+    with pytest.raises(ValueError, match=r"body_pairs\[0\]: got vertex \d+ of body \d .* inside"):
+        palpate.build_scene(scene)
+
+
+def test_a_scene_keeps_its_pairs_in_copies_and_pickles():
+    scene = palpate.Scene(
+        bodies=[make_body(), make_body(ASIDE)], body_pairs=[palpate.BodyPair(0, 1, stiffness=1e6)]
+    )
+    for kept in (copy.deepcopy(scene), pickle.loads(pickle.dumps(palpate.build_scene(scene)))):
+        assert kept.body_pairs[0].stiffness == 1e6
+
+
+def test_a_published_file_holds_no_pairs_yet_and_says_so(tmp_path):
+    bodies = [make_body(), make_body(ASIDE)]
+    scene = palpate.build_scene(palpate.Scene(bodies=bodies, body_pairs=[palpate.BodyPair()]))
+    with pytest.raises(ValueError, match="body_pairs: got 1"):
+        palpate.scenario.write(tmp_path / "two.palpate", palpate.scenario.Scenario(scene=scene))
+    assert list(tmp_path.iterdir()) == []

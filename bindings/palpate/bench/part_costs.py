@@ -24,6 +24,8 @@ def measure_part_costs(path: Path) -> Row:
         parts.append(describe(f"instrument {i}, {name_shape(scene, i)}", cost))
     for k, cost in enumerate(costs.pairs):
         parts.append(describe(f"instrument {k // bodies} on body {k % bodies}", cost))
+    for pair, cost in zip(scene.body_pairs, costs.body_pairs, strict=True):
+        parts.append(describe(f"body {pair.first} on body {pair.second}", cost))
     return {
         "scene": str(path),
         "ticks": costs.ticks,

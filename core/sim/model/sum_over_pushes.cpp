@@ -15,9 +15,13 @@ double sum_over_pushes(std::span<const Push> pushes, const TissueModel& tissue,
   };
   double total = 0.0;
   for (const Push& push : pushes) {
-    const auto& [i, j, k] = tissue.triangles[static_cast<std::size_t>(push.triangle)];
-    const Vec3 patch = push.weights[0] * value_at(i) + push.weights[1] * value_at(j) +
-                       push.weights[2] * value_at(k);
+    const Triangle& corners = tissue.triangles[static_cast<std::size_t>(push.triangle)];
+    Vec3 patch = Vec3::Zero();
+    // bodies push single vertices
+    for (int c = 0; c < 3; ++c) {
+      if (push.weights[c] != 0.0)
+        patch += push.weights[c] * value_at(corners[static_cast<std::size_t>(c)]);
+    }
     total += push.force.dot(patch);
   }
   return total;

@@ -25,7 +25,9 @@ CostHistograms::CostHistograms(const World& world)
     : bodies_(world.bodies.size()),
       instruments_(world.instruments.size()),
       pairs_(world.pairs.size()),
-      parts_(std::make_unique<DurationHistogram[]>(1 + bodies_ + instruments_ + pairs_)) {}
+      body_pairs_(world.body_pairs.size()),
+      parts_(std::make_unique<DurationHistogram[]>(1 + bodies_ + instruments_ + pairs_ +
+                                                   body_pairs_)) {}
 
 void CostHistograms::add(const TickCosts& costs) noexcept {
   DurationHistogram* part = parts_.get();
@@ -33,6 +35,7 @@ void CostHistograms::add(const TickCosts& costs) noexcept {
   for (const BodyCost& cost : costs.bodies) add_seconds(cost.total(), *part++);
   for (const InstrumentCost& cost : costs.instruments) add_seconds(cost.total(), *part++);
   for (const PairCost& cost : costs.pairs) add_seconds(cost.total(), *part++);
+  for (const PairCost& cost : costs.body_pairs) add_seconds(cost.total(), *part++);
 }
 
 SceneCosts CostHistograms::summarise() const {
@@ -46,6 +49,7 @@ SceneCosts CostHistograms::summarise() const {
   take(bodies_, costs.bodies);
   take(instruments_, costs.instruments);
   take(pairs_, costs.pairs);
+  take(body_pairs_, costs.body_pairs);
   return costs;
 }
 

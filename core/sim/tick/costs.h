@@ -29,7 +29,8 @@ struct InstrumentCost {
 };
 
 /// [s] of one tick. Where a tool may touch several bodies at once it is balanced among all of them,
-/// and the time for that is shared out by their candidates.
+/// and the time for that is shared out by their candidates. Of two bodies: their lists and what
+/// they ask of the steps, and their contacts.
 struct PairCost {
   double candidates = 0.0;  ///< found in the body's tree
   double contact = 0.0;     ///< the tool balanced against the body, all substeps
@@ -41,7 +42,8 @@ struct TickCosts {
   std::vector<BodyCost> bodies;
   std::vector<InstrumentCost> instruments;
   std::vector<PairCost> pairs;
-  double tick = 0.0;  ///< [s] the whole
+  std::vector<PairCost> body_pairs;  ///< bodies with each other, as Scene::body_pairs
+  double tick = 0.0;                 ///< [s] the whole
 };
 
 /// Right within 0.4 %, the largest exactly.
@@ -56,6 +58,7 @@ struct SceneCosts {
   std::vector<Percentiles> bodies;       ///< all stages of each, as Scene::bodies
   std::vector<Percentiles> instruments;  ///< as Scene::instruments
   std::vector<Percentiles> pairs;        ///< every instrument with every body
+  std::vector<Percentiles> body_pairs;   ///< bodies with each other, as Scene::body_pairs
   Alarm alarm;                           ///< that ended the run early
 };
 

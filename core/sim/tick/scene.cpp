@@ -17,7 +17,8 @@
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/simd_targets.h"
-#include "palpate/sim/tick/private/substep_need.h"
+#include "palpate/sim/tick/private/choose_substeps.h"
+#include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -392,6 +393,7 @@ Scene make_scene(TissueModel tissue) {
 Scene build_scene(Scene scene) {
   static std::atomic<std::uint64_t> built{0};
   validate(scene);
+  build_body_pairs(scene);
   scene.identity = ++built;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Place place("bodies", b, scene.bodies.size());

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/sim/collision/body_pair.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/mesh/mesh.h"
@@ -59,6 +60,9 @@ struct SoftBody {
   /// [contact: hold]; else as the mesh does where it is fastened
   bool tied_holds = false;
 
+  /// Parts of its surface may touch others of it: build_scene adds a BodyPair of it with itself
+  bool may_fold = false;
+
   // filled in by build_scene
   std::vector<double> rest_areas;            ///< [m²] per triangle
   double spectrum_stiffness = 0.0;           ///< [1/s²] largest eigenvalue of M⁻¹K at rest
@@ -104,8 +108,9 @@ struct Scene {
   std::vector<RigidBody> rigid;  ///< build_scene refuses any: they are not simulated yet
   std::vector<Scenery> scenery;  ///< likewise
   std::vector<Instrument> instruments = std::vector<Instrument>(1);
-  Vec3 gravity = Vec3::Zero();  ///< [m/s²]
-  double rate = 1000.0;         ///< [Hz]
+  std::vector<BodyPair> body_pairs;  ///< which bodies may touch each other; each pair once
+  Vec3 gravity = Vec3::Zero();       ///< [m/s²]
+  double rate = 1000.0;              ///< [Hz]
   /// [Hz] 0: the live loop ticks the tissue with the hands. Else the tissue ticks in a thread of
   /// its own, is told where the hands are so often, and is felt between by its local stiffness
   /// [stability: slow tissue]; a whole number of ticks each time. tick() knows nothing of it

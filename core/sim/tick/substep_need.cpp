@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/tick/private/substep_need.h"
-
 #include <cmath>
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
+#include "palpate/sim/tick/private/choose_substeps.h"
 
 namespace palpate {
 namespace {

@@ -17,7 +17,7 @@
 #include "palpate/sim/tick/private/move_tissue.h"
 #include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/sleep.h"
-#include "palpate/sim/tick/private/step_stiff_part.h"
+#include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -29,6 +29,7 @@ void follow_bodies(const Scene& scene, World& world) noexcept {
     std::ranges::fill(world.costs.bodies, BodyCost{});
     std::ranges::fill(world.costs.instruments, InstrumentCost{});
     std::ranges::fill(world.costs.pairs, PairCost{});
+    std::ranges::fill(world.costs.body_pairs, PairCost{});
   }
   Stopwatch watch(world.measures_costs);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
@@ -147,13 +148,14 @@ void balance_instruments(const Scene& scene, World& world) noexcept {
   }
 }
 
-/// What the instruments do to a body in a step that is as long as a substep.
+/// What instruments and other bodies do to a body in a step that is as long as a substep.
 void take_load(std::size_t body, World& world) noexcept {
   Load& load = world.bodies[body].load;
   load.clear();
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     for (const Push& push : world.pair(i, body).load.pushes()) load.add(push);
   }
+  for (const Push& push : list_touch_pushes(body, world)) load.add(push);
 }
 
 /// Substep s of `finest`: the bodies whose turn it is go a step. One that takes longer steps stands
@@ -171,6 +173,7 @@ void move_bodies(const Scene& scene, double dt, int s, int finest, World& world)
       for (std::size_t i = 0; i < world.instruments.size(); ++i) {
         mean.add(world.pair(i, b).load.pushes());
       }
+      mean.add(list_touch_pushes(b, world));
       if ((s + 1) % substeps_per_step != 0) continue;
       mean.take(substeps_per_step, state.load);
     }
@@ -187,8 +190,10 @@ void run_substeps(const Scene& scene, double dt, int finest, World& world) noexc
   for (HandMotion& motion : workspace(world).hands) motion.felt.setZero();
   for (int s = 0; s < finest; ++s) {
     balance_instruments(scene, world);
+    touch_bodies(scene, s, finest, dt / finest, world);
     move_bodies(scene, dt, s, finest, world);
   }
+  end_touching(finest, world);
 }
 
 void raise(const Alarm& alarm, int body, World& world) noexcept {
@@ -205,9 +210,10 @@ void end_bodies(const Scene& scene, double dt, World& world) noexcept {
   double most_work = 0.0;
   for (const HandMotion& motion : work.hands) most_work += motion.stored_energy;
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    const double most = most_work + bound_touch_work(b, world);
     const Alarm alarm = world.bodies[b].asleep
                             ? end_asleep(scene, b, dt, world)
-                            : end_moving(scene, b, std::min(work.work[b], most_work), world);
+                            : end_moving(scene, b, std::min(work.work[b], most), world);
     raise(alarm, static_cast<int>(b), world);
     watch.add_to(world.costs.bodies[b].guard);
   }
@@ -302,8 +308,10 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
   Stopwatch whole(world.measures_costs);
   const std::size_t instruments = world.instruments.size();
   calm_down(scene, dt, world);
+  meet_bodies(world);
   follow_bodies(scene, world);
   for (std::size_t i = 0; i < instruments; ++i) read_hand(scene, samples[i], dt, i, world);
+  find_body_contacts(scene, dt, world);
   const int chosen = choose_substeps(scene, dt, world);
   wake_bodies(dt, world);
   begin_bodies(scene, world);

@@ -11,6 +11,7 @@
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/linear_tick.h"
+#include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -87,6 +88,7 @@ int count_pushes(const Scene& scene, const SoftBody& body) noexcept {
   for (const Instrument& each : scene.instruments) {
     count += count_pushes(each.tool, count_triangles(body));
   }
+  if (!scene.body_pairs.empty()) count += surface_count(body.tissue);
   return count;
 }
 
@@ -206,11 +208,13 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
   costs.bodies.resize(bodies.size());
   costs.instruments.resize(instruments.size());
   costs.pairs.resize(pairs.size());
+  costs.body_pairs.resize(scene.body_pairs.size());
   workspace_ = Owned(TickBuffers(*this));
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const bool has_jaws = scene.instruments[p / bodies.size()].tool.jaws.has_value();
     if (has_jaws) workspace(*this).second[p] = pairs[p].candidates;
   }
+  build_body_contacts(scene, *this);
 }
 
 TickBuffers::TickBuffers(const World& world)

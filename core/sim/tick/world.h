@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -99,6 +100,18 @@ struct ContactPair {
   Load load;  ///< of the last substep; the body's own has its gravity (balance_instruments)
 };
 
+/// How two bodies of a running scene touch, after every tick.
+struct BodyPairState {
+  bool near = false;  ///< some of their surfaces may come to touch (meet_bodies)
+  int touching = 0;   ///< vertices within the thickness, in the last substep (touch_bodies)
+  /// [m] between the surfaces where they were nearest in the last tick, below 0 inside of each
+  /// other; infinite where nothing was within the thickness (touch_bodies)
+  double least_gap = std::numeric_limits<double>::infinity();
+  /// [N] on the second body, mean of the last tick; 0 of a body with itself (touch_bodies)
+  Vec3 force = Vec3::Zero();
+};
+static_assert(alignof(BodyPairState) == 8);
+
 /// A running scene. Everything a tick needs is allocated here, once.
 struct World {
   /// Throws std::invalid_argument for a scene that is not from build_scene.
@@ -125,6 +138,7 @@ struct World {
   std::vector<RigidState> rigid;             ///< as Scene::rigid, none yet
   std::vector<InstrumentState> instruments;  ///< as Scene::instruments
   std::vector<ContactPair> pairs;            ///< every instrument with every body: pair()
+  std::vector<BodyPairState> body_pairs;     ///< as Scene::body_pairs
 
   /// The first alarm; from then on forces fade and all tissue stands still (check_input,
   /// end_moving).

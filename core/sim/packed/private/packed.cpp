@@ -39,6 +39,7 @@ void add_pushes(const PackedModel& model, const Load& load, PackedState& state) 
   for (const Push& push : load.pushes()) {
     const Triangle& corners = model.surface[static_cast<std::size_t>(push.triangle)];
     for (int c = 0; c < 3; ++c) {
+      if (push.weights[c] == 0.0) continue;  // bodies push single vertices
       for_each_carrier(
           model, corners[static_cast<std::size_t>(c)], [&](std::size_t row, double weight) {
             const Eigen::Vector3f force = (weight * push.weights[c] * push.force).cast<float>();

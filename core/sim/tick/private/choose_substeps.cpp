@@ -9,6 +9,7 @@
 #include "palpate/sim/grasp/private/jaws.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 #include "palpate/sim/tick/private/safeguard.h"
+#include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -88,14 +89,14 @@ double count_free_substeps(const SoftBody& body, double dt, const BodyInternals&
 }
 
 /// How many substeps contact asks for to be stable, with the contacts' part k/m of the spectrum:
-/// w² <= w0² + max k/m, summed over the instruments. An implicit step leaves them only the
-/// contacts: of x'' - 2 x' + x + a x'' + b x' = 0, with a of the tissue and b of the contacts, b <=
-/// 4 + a is asked for.
+/// w² <= w0² + max k/m, summed over the instruments and with what other bodies add. An implicit
+/// step leaves them only the contacts: of x'' - 2 x' + x + a x'' + b x' = 0, with a of the tissue
+/// and b of the contacts, b <= 4 + a is asked for.
 double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
                              World& world) noexcept {
   const SoftBody& soft = scene.bodies[body];
   BodyInternals& work = internals(world.bodies[body]);
-  double contact = 0.0;
+  double contact = bound_touch_stiffness(body, world);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     contact += bound_instrument_stiffness(scene, i, body, world);
   }
@@ -187,6 +188,11 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
     wanted = std::max({kFewestInContact, fewest, static_cast<double>(work.wanted_substeps),
                        count_stable_substeps(scene, body, dt, world),
                        count_impact_substeps(travel, state)});
+  }
+  if (is_touched(body, world)) {
+    wanted = std::max({wanted, fewest, static_cast<double>(work.wanted_substeps),
+                       count_stable_substeps(scene, body, dt, world),
+                       count_approach_substeps(body, world)});
   }
   return static_cast<int>(std::clamp(wanted, double(soft.substeps), double(soft.substeps_max)));
 }

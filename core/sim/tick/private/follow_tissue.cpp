@@ -144,7 +144,7 @@ bool all_placed(const World& world) noexcept {
 
 bool lags(const World& world, const SoftState& state) noexcept {
   const PackedKernel* kernel = find_packed(state);
-  return !world.follows_all && kernel && !kernel->active.on;
+  return !world.follows_all && kernel && !kernel->active.on && !internals(state).meets;
 }
 
 bool is_behind(const SoftState& state) noexcept {

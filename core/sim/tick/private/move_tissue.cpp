@@ -16,7 +16,7 @@
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 #include "palpate/sim/tick/private/safeguard.h"
-#include "palpate/sim/tick/private/step_stiff_part.h"
+#include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -34,17 +34,21 @@ void add_once(int what, long tick, std::vector<long>& last_at, std::vector<int>&
   list[static_cast<std::size_t>(count++)] = what;
 }
 
+void add_vertex(const TissueModel& tissue, int vertex, long tick, NearList& near) noexcept {
+  if (tissue.skin.corners.empty()) {
+    add_once(vertex, tick, near.particle_last_at, near.particles, near.particle_count);
+    return;
+  }
+  add_once(vertex, tick, near.skin_last_at, near.skin, near.skin_count);
+  for (const int p : tissue.skin.corners[static_cast<std::size_t>(vertex)]) {
+    add_once(p, tick, near.particle_last_at, near.particles, near.particle_count);
+  }
+}
+
 void add_near(const TissueModel& tissue, int triangle, long tick, NearList& near) noexcept {
   if (triangle < 0) return;
   for (const int i : tissue.triangles[static_cast<std::size_t>(triangle)]) {
-    if (tissue.skin.corners.empty()) {
-      add_once(i, tick, near.particle_last_at, near.particles, near.particle_count);
-      continue;
-    }
-    add_once(i, tick, near.skin_last_at, near.skin, near.skin_count);
-    for (const int p : tissue.skin.corners[static_cast<std::size_t>(i)]) {
-      add_once(p, tick, near.particle_last_at, near.particles, near.particle_count);
-    }
+    add_vertex(tissue, i, tick, near);
   }
 }
 
@@ -64,12 +68,15 @@ struct Moved {
   SoftState& state;
 };
 
-/// Lists what the tools may touch or hold.
+/// Lists what tools and other bodies may touch, or hold.
 void list_near(const Moved& moved, NearList& near) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   const World& world = moved.world;
   const auto index = static_cast<int>(moved.index);
   near.clear();
+  for_each_touched_vertex(moved.scene, moved.index, moved.world, [&](int vertex) noexcept {
+    add_vertex(tissue, vertex, world.tick_count, near);
+  });
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     const ToolState& tool = world.instruments[i].tool;
     for_each_touchable(moved.world, i, moved.index, [&](int triangle) noexcept {

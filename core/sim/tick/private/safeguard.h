@@ -6,7 +6,7 @@
 namespace palpate {
 
 // The safeguards of a body between an alarm and the freeze [motion: ladder]. Nothing here
-// allocates; of what they step with, implicit Euler does (step_stiff_part.h).
+// allocates; of what they step with, implicit Euler does.
 
 /// Once a tick knows what it may touch, before its first substep: what the substeps will change is
 /// kept.
@@ -35,5 +35,15 @@ int refine(const SoftBody& body, Safeguard safeguard, int wanted) noexcept;
 inline bool is_stepped_in_double(const SoftState& state) noexcept {
   return state.safeguard >= Safeguard::implicit_damping;
 }
+
+// Implicit Euler on a few particles, where implicit damping is not enough [motion: ladder].
+// Allocates, as implicit integrators do.
+
+/// Before the substeps of a tick of dt [s], and of each try to do it again: which particles
+/// implicit Euler moves, of the bodies that need it.
+void choose_stiff_parts(const Scene& scene, double dt, World& world) noexcept;
+
+/// A substep of dt [s] of such a body. Where it fails, no later one of the tick moves the body.
+void step_stiff_part(const SoftBody& body, SoftState& state) noexcept;
 
 }  // namespace palpate

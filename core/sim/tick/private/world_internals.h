@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "palpate/sim/collision/private/surface_contacts.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/private/mean_load.h"
@@ -139,7 +140,7 @@ struct Rest {
   std::vector<std::byte> copy;  ///< of all that a step reads and writes (end_moving)
 };
 
-/// What implicit Euler moves of a body in one tick (step_stiff_part.h).
+/// What implicit Euler moves of a body in one tick (safeguard.h).
 struct StiffSteps {
   std::shared_ptr<StiffPart> part;  ///< none where there was no memory for it (choose_stiff_parts)
   bool unsolved = false;  ///< it found no solution, or needs too many particles (step_stiff_part)
@@ -157,6 +158,7 @@ struct BodyInternals {
   TreeCost tree_cost;                ///< (follow_tissue)
   StretchSpectrum spectrum;          ///< never changes
   double chosen_stiffness;           ///< [1/s²] largest eigenvalue of M⁻¹K (choose_substeps)
+  bool meets = false;                ///< another body is near, or it may fold (meet_bodies)
   int wanted_substeps;               ///< before those of all bodies were fitted (choose_substeps)
   double contact_stiffness = 0.0;    ///< [1/s²] that contacts add to it at most (choose_substeps)
   StiffSteps stiff;                  ///< under Safeguard::implicit_euler
@@ -216,6 +218,14 @@ struct InstrumentCheckpoint {
   int anchor_count = 0;                      ///< likewise
 };
 
+/// What may touch of two bodies, or of one with itself.
+struct BodyContacts {
+  std::array<std::size_t, 2> bodies = {};  ///< of World::bodies; never change
+  std::array<SurfaceContacts, 2> sides;  ///< vertices of the first on the second, and of it on that
+  std::size_t side_count = 0;            ///< 1 of a body with itself
+  double stored_energy = 0.0;  ///< [J] in the barrier, at the first substep (touch_bodies)
+};
+
 /// Buffers that live for one tick.
 struct TickBuffers {
   explicit TickBuffers(const World& world);
@@ -230,7 +240,9 @@ struct TickBuffers {
   std::vector<const NearContacts*> others;        ///< per body, those of the others (list_surfaces)
   std::vector<double> work;                       ///< [J] per body, of the pushes (move_bodies)
   std::vector<int> wanted;                        ///< substeps per body (choose_substeps)
-  std::vector<double> cost;  ///< of a substep of each, relative (choose_substeps)
+  std::vector<double> cost;            ///< of a substep of each, relative (choose_substeps)
+  std::vector<BodyContacts> contacts;  ///< as Scene::body_pairs
+  std::vector<SurfaceTouch> touched;   ///< per body; none without body_pairs
 };
 
 inline TickBuffers& workspace(World& world) noexcept { return world.workspace_.get(); }

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/collision/private/choose_barrier.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/collision/private/nearest.h"
+#include "palpate/sim/mesh/topology.h"
+#include "palpate/sim/tree/aabb_tree.h"
+#include "palpate/sim/tree/queries.h"
+
+namespace palpate {
+namespace {
+
+/// [kg/m³] Of soft tissue, where a body does not say its volume.
+constexpr double kDensity = 1050.0;
+
+double find_young(double lame, double shear) noexcept {
+  return lame + shear > 0.0 ? shear * (3.0 * lame + 2.0 * shear) / (lame + shear) : 0.0;
+}
+
+double average(const std::vector<double>& values) noexcept {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+/// [J] Sum of k l² over springs and bonds.
+double sum_links(const TissueModel& tissue) noexcept {
+  double sum = 0.0;
+  for (const Links* links : {&tissue.springs, &tissue.bonds}) {
+    for (std::size_t l = 0; l < links->ends.size(); ++l) {
+      sum += links->stiffness[l] * links->rest_length[l] * links->rest_length[l];
+    }
+  }
+  return sum;
+}
+
+double sum_area(const TissueModel& tissue) {
+  const Vec3Array x = compute_surface(tissue, tissue.rest_position);
+  double area = 0.0;
+  for (const auto& [i, j, k] : tissue.triangles) {
+    const Vec3 a = x[static_cast<std::size_t>(i)];
+    area +=
+        0.5 * (x[static_cast<std::size_t>(j)] - a).cross(x[static_cast<std::size_t>(k)] - a).norm();
+  }
+  return area;
+}
+
+/// Springs of 5/2 mu sum V/L² have sum k L² = 15 mu V, a tetrahedron having six edges; the volume
+/// term adds lambda - mu [laws: solid].
+double estimate_of_springs(const TissueModel& tissue) noexcept {
+  double volume = 0.0;
+  for (const double v : tissue.volumes.rest_volume) volume += v;
+  const double shear = sum_links(tissue) / (15.0 * volume);
+  return find_young(average(tissue.volumes.bulk) + shear, shear);
+}
+
+/// Springs of E h sum A/L² have sum k L² = 3 E h A, a triangle having three sides.
+double estimate_of_wall(const TissueModel& tissue) {
+  const double area = sum_area(tissue);
+  const double wall = compute_total_mass(tissue) / (kDensity * area);
+  return std::abs(sum_links(tissue)) / (3.0 * area * wall);
+}
+
+/// [m]
+double average_side(const TissueModel& tissue) {
+  const Vec3Array x = compute_surface(tissue, tissue.rest_position);
+  double sum = 0.0;
+  for (const auto& [i, j, k] : tissue.triangles) {
+    const Vec3 a = x[static_cast<std::size_t>(i)], b = x[static_cast<std::size_t>(j)],
+               c = x[static_cast<std::size_t>(k)];
+    sum += (b - a).norm() + (c - b).norm() + (a - c).norm();
+  }
+  return sum / (3.0 * static_cast<double>(tissue.triangles.size()));
+}
+
+/// A surface at rest. Open ones have no inside.
+struct RestSurface {
+  explicit RestSurface(const TissueModel& tissue)
+      : triangles(tissue.triangles),
+        x(compute_surface(tissue, tissue.rest_position)),
+        tree(x, triangles),
+        closed(is_closed(triangles)) {}
+
+  /// [m] To the nearest point within reach, below 0 from inside.
+  double measure_gap(const Vec3& p, double reach) const {
+    const bool within =
+        ((tree.low() - p).array() < 0.0).all() && ((p - tree.high()).array() < 0.0).all();
+    const auto found =
+        within && closed ? find_closest_point(tree, x, p) : find_closest_point(tree, x, p, reach);
+    if (!found) return reach;
+    if (!closed) return found->distance;
+    // over an edge, the steepest of its triangles tells the side
+    double steepest = 0.0;
+    std::vector<int> around(triangles.size());
+    const int count = find_in_sphere(tree, x, p, found->distance * (1.0 + 1e-9), around);
+    for (int n = 0; n < count; ++n) {
+      const auto& [a, b, c] =
+          triangles[static_cast<std::size_t>(around[static_cast<std::size_t>(n)])];
+      const NearPoint near =
+          find_near_point(p, x[static_cast<std::size_t>(a)], x[static_cast<std::size_t>(b)],
+                          x[static_cast<std::size_t>(c)]);
+      if (std::abs(near.height) > std::abs(steepest)) steepest = near.height;
+    }
+    return steepest < 0.0 ? -found->distance : found->distance;
+  }
+
+  std::vector<Triangle> triangles;
+  Vec3Array x;
+  AabbTree tree;
+  bool closed;
+};
+
+void check_constants(const std::string& where, const BodyPair& pair) {
+  constexpr double kThickest = 5e-3;  // [m]
+  if (!(pair.thickness >= 0.0 && pair.thickness <= kThickest)) {
+    refuse(where + ".thickness [m]", write_text(pair.thickness),
+           "0 to have it chosen, or up to 0.005");
+  }
+  if (!(pair.stiffness >= 0.0) || !std::isfinite(pair.stiffness)) {
+    refuse(where + ".stiffness [N/m^3]", write_text(pair.stiffness),
+           "0 to have it chosen, or a positive number");
+  }
+  if (!(pair.damping >= 0.0 && pair.damping <= 1.0)) {
+    refuse(where + ".damping [-]", write_text(pair.damping), "0 to 1");
+  }
+}
+
+void check_apart(const std::string& where, const TissueModel& first, const TissueModel& second,
+                 const BodyPair& pair) {
+  const Nearest nearest = find_nearest_at_rest(first, second, pair.thickness);
+  if (!(nearest.gap < 0.5 * pair.thickness)) return;
+  const int of = nearest.of_first ? pair.first : pair.second;
+  const int other = nearest.of_first ? pair.second : pair.first;
+  const char* place = nearest.gap < 0.0 ? " mm inside of body " : " mm from body ";
+  refuse(where,
+         write_text("vertex ", nearest.vertex, " of body ", of, " ", 1e3 * std::abs(nearest.gap),
+                    place, other),
+         write_text("at least ", 0.5e3 * pair.thickness,
+                    " mm between them at rest, half of the thickness: move one of them"));
+}
+
+}  // namespace
+
+void choose_barrier(const std::string& where, const TissueModel& first, const TissueModel& second,
+                    BodyPair& pair) {
+  check_constants(where, pair);
+  if (pair.thickness == 0.0) pair.thickness = choose_thickness(first, second);
+  if (pair.stiffness == 0.0) {
+    const double modulus = std::max(estimate_modulus(first), estimate_modulus(second));
+    if (!(modulus > 0.0)) {
+      refuse(where + ".stiffness [N/m^3]", "0",
+             "a positive number for tissues without a modulus of their own");
+    }
+    pair.stiffness = modulus / (3.0 * pair.thickness);
+  }
+  if (pair.first != pair.second) check_apart(where, first, second, pair);
+}
+
+double choose_thickness(const TissueModel& first, const TissueModel& second) {
+  constexpr double kOfSide = 0.15, kThinnest = 3e-4, kThickest = 5e-4;
+  const double side = std::max(average_side(first), average_side(second));
+  return std::clamp(kOfSide * side, kThinnest, kThickest);
+}
+
+Nearest find_nearest_at_rest(const TissueModel& first, const TissueModel& second, double reach) {
+  const RestSurface surfaces[] = {RestSurface(first), RestSurface(second)};
+  Nearest nearest{reach, -1, true};
+  for (const bool of_first : {true, false}) {
+    const RestSurface &from = surfaces[of_first ? 0 : 1], &to = surfaces[of_first ? 1 : 0];
+    for (std::size_t v = 0; v < from.x.size(); ++v) {
+      const double gap = to.measure_gap(from.x[v], reach);
+      if (gap < nearest.gap) nearest = {gap, static_cast<int>(v), of_first};
+    }
+  }
+  return nearest;
+}
+
+double estimate_modulus(const TissueModel& tissue) {
+  for (const Hyperelastic* table : {&tissue.corotated, &tissue.neo_hookean}) {
+    if (!table->corners.empty()) return find_young(average(table->lame), average(table->shear));
+  }
+  if (!tissue.elastic.corners.empty()) {
+    return find_young(average(tissue.elastic.lame), average(tissue.elastic.shear));
+  }
+  const double found =
+      tissue.volumes.corners.empty() ? estimate_of_wall(tissue) : estimate_of_springs(tissue);
+  return std::isfinite(found) ? found : 0.0;
+}
+
+}  // namespace palpate

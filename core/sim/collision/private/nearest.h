@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "palpate/sim/tree/queries.h"
+
+namespace palpate {
+
+/// The point of a triangle that is nearest to p.
+struct NearPoint {
+  Vec3 weights = Vec3::Zero();  ///< barycentric
+  Vec3 offset = Vec3::Zero();   ///< [m] from it to p
+  double square = 0.0;          ///< [m²] of the offset
+  double height = 0.0;          ///< [m] of p over the plane
+  Vec3 normal = Vec3::Zero();   ///< unit, of the plane
+};
+
+/// Of a triangle at a, b = a + ab and c = a + ac: the nearest point of its three sides to a + ap.
+inline void find_on_sides(const Vec3& ap, const Vec3& ab, const Vec3& ac,
+                          NearPoint& near) noexcept {
+  const auto along = [](const Vec3& from, const Vec3& side) noexcept {
+    return std::clamp(from.dot(side) / side.squaredNorm(), 0.0, 1.0);
+  };
+  const Vec3 bc = ac - ab, bp = ap - ab;
+  const double t = along(ap, ab), u = along(ap, ac), v = along(bp, bc);
+  const Vec3 offsets[] = {ap - t * ab, ap - u * ac, bp - v * bc};
+  const Vec3 weights[] = {{1.0 - t, t, 0.0}, {1.0 - u, 0.0, u}, {0.0, 1.0 - v, v}};
+  near.square = offsets[0].squaredNorm();
+  std::size_t best = 0;
+  for (std::size_t side = 1; side < 3; ++side) {
+    const double square = offsets[side].squaredNorm();
+    if (!(square < near.square)) continue;
+    near.square = square;
+    best = side;
+  }
+  near.offset = offsets[best];
+  near.weights = weights[best];
+}
+
+/// Of slivers by find_closest_on_triangle(), which is right for any.
+inline NearPoint find_near_point(const Vec3& p, const Vec3& a, const Vec3& b,
+                                 const Vec3& c) noexcept {
+  constexpr double kHealthy = 1e-6;  // of a square of sines
+  const Vec3 ab = b - a, ac = c - a, ap = p - a, cross = ab.cross(ac);
+  const double bb = ab.squaredNorm(), cc = ac.squaredNorm(), square = cross.squaredNorm();
+  NearPoint near;
+  if (!(square > kHealthy * bb * cc)) {
+    const SurfacePoint found = find_closest_on_triangle(p, a, b, c);
+    near.weights = found.weights;
+    near.offset = p - found.point;
+    near.square = near.offset.squaredNorm();
+    return near;
+  }
+  const double bc = ab.dot(ac), pb = ap.dot(ab), pc = ap.dot(ac), inverse = 1.0 / square;
+  const double v = (cc * pb - bc * pc) * inverse, w = (bb * pc - bc * pb) * inverse;
+  near.normal = cross / std::sqrt(square);
+  near.height = ap.dot(near.normal);
+  if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) {
+    near.weights = {1.0 - v - w, v, w};
+    near.offset = near.height * near.normal;
+    near.square = near.height * near.height;
+  } else {
+    find_on_sides(ap, ab, ac, near);
+  }
+  return near;
+}
+
+}  // namespace palpate

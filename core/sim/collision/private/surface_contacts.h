@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "palpate/sim/collision/private/barrier.h"
+#include "palpate/sim/collision/private/touching_surface.h"
+#include "palpate/sim/model/tissue_model.h"
+#include "palpate/sim/tree/aabb_tree.h"
+
+namespace palpate {
+
+/// [m] Lists go so much beyond the thickness, and hold until the surfaces may have moved by it.
+inline constexpr double kListMargin = 1e-3;
+
+/// Vertices of one surface that may touch the triangles of another, or of the same.
+///
+/// A vertex has two lists: of all triangles that it may come to touch before it is looked at again,
+/// and of those among them that may be the nearest. Both say up to which motion they hold, where
+/// motion is the sum of how far the vertices of both surfaces have gone at most, tick by tick. So
+/// few vertices are looked at in any one tick [contact: bodies].
+struct SurfaceContacts {
+  static constexpr std::size_t kMostListed = 24;  ///< with more, the nearest of them
+  static constexpr std::size_t kMostNear = 6;     ///< likewise
+
+  SurfaceContacts() = default;
+  /// `triangles` of the second surface; `same` where it is the first as well.
+  SurfaceContacts(const TissueModel& vertices, const TissueModel& triangles, bool same,
+                  const Barrier& barrier);
+
+  // what never changes
+  Barrier barrier;
+  bool same = false;
+  bool closed = true;                         ///< the triangles': they have an inside
+  std::vector<double> area;                   ///< [m²] per vertex, at rest
+  std::vector<unsigned char> on_border;       ///< per vertex of the triangles
+  std::vector<int> first_excluded, excluded;  ///< per vertex: triangles of its 2-ring, ascending
+
+  // (renew_lists)
+  bool begun = false;                ///< the lists are of now, not of before the surfaces were far
+  double moved = 0.0;                ///< [m] neither surface has gone farther, both together
+  double ahead = 0.0;                ///< [m] by which `moved` may grow in this tick
+  std::size_t next = 0;              ///< vertex of the round
+  std::vector<double> listed_until;  ///< [m] of `moved`
+  std::vector<std::array<int, kMostListed>> listed;
+  std::vector<unsigned char> listed_count;
+  std::vector<int> found;  ///< room for a query
+
+  // (find_near)
+  std::vector<double> near_until;  ///< [m] of `moved`
+  std::vector<std::array<int, kMostNear>> near;
+  std::vector<unsigned char> near_count;
+  std::vector<signed char> side;  ///< of an open surface: 1 before it, -1 behind, 0 not known
+  std::vector<int> active;        ///< vertices with near triangles, ascending; capacity
+  int active_count = 0;
+
+  std::span<const int> active_in_use() const noexcept {
+    return std::span(active).first(static_cast<std::size_t>(active_count));
+  }
+};
+
+/// Begins a tick in which the surfaces, at x_v and x_t [m], have moved by `move` [m] together since
+/// the last one: the lists of the vertices whose turn it is are found again in the tree.
+void renew_lists(std::span<const Vec3> x_v, const AabbTree& tree, std::span<const Vec3> x_t,
+                 double move, SurfaceContacts& contacts) noexcept;
+
+/// Finds which vertices may touch in this tick, and the triangles that may be their nearest.
+void find_near(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
+               std::span<const Vec3> x_t, SurfaceContacts& contacts) noexcept;
+
+/// Where a vertex is over the nearest triangle.
+struct VertexContact {
+  int triangle = -1;            ///< none: nothing is within reach
+  Vec3 weights = Vec3::Zero();  ///< barycentric
+  Vec3 normal = Vec3::Zero();   ///< unit, towards where the vertex is to be
+  double gap = 0.0;             ///< [m] along it, below 0 where the vertex has come through
+};
+
+/// The contact of a vertex at `x` [m], from its near triangles; none beyond `reach` [m].
+VertexContact find_contact(const SurfaceContacts& contacts, int vertex, const Vec3& x,
+                           std::span<const Triangle> triangles, std::span<const Vec3> x_t,
+                           double reach) noexcept;
+
+/// What the contacts of a substep come to.
+struct ContactSum {
+  int touching = 0;
+  double least_gap = 0.0;     ///< [m] set where touching
+  double energy = 0.0;        ///< [J] in the barrier
+  Vec3 force = Vec3::Zero();  ///< [N] on the triangles
+};
+
+/// Adds the forces of all contacts to both surfaces, for a substep of dt [s] from here.
+ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
+                         const TouchingSurface& vertices,
+                         const TouchingSurface& triangles) noexcept;
+
+/// What contacts ask of the steps of a tick of dt [s].
+struct ContactNeed {
+  double approach = 0.0;  ///< [m/s] at which a gap closes, the fastest
+};
+
+/// Adds to the rows [1/s²] of both surfaces how stiff contacts make each vertex over its mass; the
+/// largest of a surface bounds what they add to the eigenvalues of its M⁻¹K.
+ContactNeed accumulate_stiffness(const SurfaceContacts& contacts, double dt,
+                                 const TouchingSurface& vertices,
+                                 const TouchingSurface& triangles) noexcept;
+
+}  // namespace palpate

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "palpate/sim/model/load.h"
+#include "palpate/sim/model/tissue_model.h"
+
+namespace palpate {
+
+/// What is known within a tick of a surface that may touch others.
+struct SurfaceTouch {
+  SurfaceTouch() = default;
+  explicit SurfaceTouch(const TissueModel& tissue);
+
+  // what never changes
+  std::vector<double> inverse_mass;        ///< [1/kg] per vertex; 0 of what is held
+  std::vector<std::array<int, 2>> corner;  ///< per vertex: a triangle, and which of its corners
+
+  Vec3Array last;           ///< [m] the surface at the last tick (follow_move)
+  bool has_last = false;    ///< `last` is of the tick before (follow_move)
+  double move = 0.0;        ///< [m] of any vertex since, at most (follow_move)
+  bool is_touched = false;  ///< something may touch it in this tick
+  double stiffness = 0.0;  ///< [1/s²] that contacts add to the largest eigenvalue of M⁻¹K at most
+  double approach = 0.0;     ///< [-] of a barrier's thickness, by which a gap closes in a tick
+  std::vector<double> row;   ///< [1/s²] per vertex: what contacts make of the row of M⁻¹K
+  Vec3Array force;           ///< [N] per vertex, until it is in the load
+  Vec3Array impulse;         ///< [m/s] per vertex, of impulses since its last step
+  bool has_impulse = false;  ///< some of them are not 0
+  std::vector<int> pushed;   ///< vertices with a force; capacity
+  std::vector<unsigned char> is_pushed;  ///< whether in `pushed`
+  Load load;                             ///< the forces of the last substep, gravity aside
+};
+
+/// Measures how far a surface at x [m] has gone since this was called last.
+void follow_move(std::span<const Vec3> x, SurfaceTouch& touch) noexcept;
+
+/// Makes the forces the pushes of the load, one on each vertex, and begins again.
+void write_load(SurfaceTouch& touch) noexcept;
+
+/// A surface as it stands in a substep.
+struct TouchingSurface {
+  const TissueModel& tissue;
+  std::span<const Vec3> x;         ///< [m] of the vertices
+  std::span<const Vec3> velocity;  ///< [m/s] of the particles
+  SurfaceTouch& touch;             ///< what contacts do to it
+
+  /// [m/s] With what impulses have done to it.
+  Vec3 velocity_of(int vertex) const noexcept;
+  void add_force(int vertex, const Vec3& force) const noexcept;
+  /// An impulse [N s].
+  void add_impulse(int vertex, const Vec3& impulse) const noexcept;
+};
+
+}  // namespace palpate

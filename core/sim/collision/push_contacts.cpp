@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "palpate/sim/collision/private/surface_contacts.h"
+
+namespace palpate {
+namespace {
+
+/// A contact, and what moves there.
+struct Moving {
+  double inverse_mass = 0.0;  ///< [1/kg] of the gap: of the vertex, and of the corners by weight
+  double speed = 0.0;         ///< [m/s] at which the gap grows
+};
+
+Moving measure(const VertexContact& contact, int vertex, const TouchingSurface& vertices,
+               const TouchingSurface& triangles) noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
+  Moving moving{vertices.touch.inverse_mass[v], vertices.velocity_of(vertex).dot(contact.normal)};
+  const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
+  for (int c = 0; c < 3; ++c) {
+    const int corner = corners[static_cast<std::size_t>(c)];
+    const double w = contact.weights[c];
+    if (w == 0.0) continue;
+    moving.inverse_mass += w * w * triangles.touch.inverse_mass[static_cast<std::size_t>(corner)];
+    moving.speed -= w * triangles.velocity_of(corner).dot(contact.normal);
+  }
+  return moving;
+}
+
+/// An impulse j [N s] on the vertex, and -j on the triangle.
+void add_impulse(const VertexContact& contact, int vertex, const Vec3& j,
+                 const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
+  vertices.add_impulse(vertex, j);
+  const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
+  for (int c = 0; c < 3; ++c) {
+    const double w = contact.weights[c];
+    if (w != 0.0) triangles.add_impulse(corners[static_cast<std::size_t>(c)], -w * j);
+  }
+}
+
+/// Likewise a force.
+void add_force(const VertexContact& contact, int vertex, const Vec3& force,
+               const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
+  vertices.add_force(vertex, force);
+  const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
+  for (int c = 0; c < 3; ++c) {
+    const double w = contact.weights[c];
+    if (w != 0.0) triangles.add_force(corners[static_cast<std::size_t>(c)], -w * force);
+  }
+}
+
+/// [N/m] By which a contact answers to its gap, as stiff as it gets in this tick; with damping, by
+/// the step that it allows: dt <= 2/w (sqrt(1 + z²) - z), and z = zeta w0/w of w0 without a gap.
+double bound_slope(const SurfaceContacts& contacts, double gap, double area) noexcept {
+  const Barrier& barrier = contacts.barrier;
+  const double part = std::clamp(gap / barrier.thickness, kClosestPart, 1.0);
+  const double z = barrier.damping * part, shorter = std::sqrt(1.0 + z * z) - z;
+  return barrier.stiffness * area / (part * part * shorter * shorter);
+}
+
+}  // namespace
+
+/// f = A (p(g) - c dg/dt) along the normal, never below 0, with c A = 2 zeta sqrt(k_A A m) of the
+/// mass m of the gap. Under a tenth of the thickness an impulse takes away what still closes the
+/// gap, mass-weighted, one contact after the other, so that none takes twice what another has
+/// taken.
+ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
+                         const TouchingSurface& vertices,
+                         const TouchingSurface& triangles) noexcept {
+  const Barrier& barrier = contacts.barrier;
+  ContactSum sum;
+  for (const int vertex : contacts.active_in_use()) {
+    const auto v = static_cast<std::size_t>(vertex);
+    const VertexContact contact =
+        find_contact(contacts, vertex, vertices.x[v], triangles.tissue.triangles, triangles.x,
+                     barrier.thickness);
+    if (contact.triangle < 0) continue;
+    const Moving moving = measure(contact, vertex, vertices, triangles);
+    const double area = contacts.area[v];
+    double force = area * compute_pressure(barrier, contact.gap);
+    if (moving.inverse_mass > 0.0) {
+      const double critical = 2.0 * std::sqrt(barrier.stiffness * area / moving.inverse_mass);
+      force = std::max(0.0, force - barrier.damping * critical * moving.speed);
+      if (contact.gap < kClosestPart * barrier.thickness && moving.speed < 0.0) {
+        const double impulse = -moving.speed / moving.inverse_mass;
+        add_impulse(contact, vertex, impulse * contact.normal, vertices, triangles);
+        force += impulse / dt;
+      }
+    }
+    add_force(contact, vertex, force * contact.normal, vertices, triangles);
+    sum.least_gap = sum.touching++ == 0 ? contact.gap : std::min(sum.least_gap, contact.gap);
+    sum.energy += area * compute_barrier_energy(barrier, contact.gap);
+    sum.force -= force * contact.normal;
+  }
+  return sum;
+}
+
+/// The gap of a contact has the gradient n on the vertex and -w n on the corners, so that in
+/// M⁻¹K the row of the vertex sums to 2 k/m, and that of a corner to 2 k w/m.
+ContactNeed accumulate_stiffness(const SurfaceContacts& contacts, double dt,
+                                 const TouchingSurface& vertices,
+                                 const TouchingSurface& triangles) noexcept {
+  ContactNeed need;
+  for (const int vertex : contacts.active_in_use()) {
+    const auto v = static_cast<std::size_t>(vertex);
+    const VertexContact contact =
+        find_contact(contacts, vertex, vertices.x[v], triangles.tissue.triangles, triangles.x,
+                     std::numeric_limits<double>::infinity());
+    if (contact.triangle < 0) continue;
+    const Moving moving = measure(contact, vertex, vertices, triangles);
+    const double closes = std::max(0.0, -moving.speed);
+    if (!(contact.gap - dt * closes < contacts.barrier.thickness)) continue;
+    need.approach = std::max(need.approach, closes);
+    const double slope = bound_slope(contacts, contact.gap - dt * closes, contacts.area[v]);
+    vertices.touch.row[v] += 2.0 * slope * vertices.touch.inverse_mass[v];
+    const Triangle& corners =
+        triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
+    for (int c = 0; c < 3; ++c) {
+      const auto corner = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
+      triangles.touch.row[corner] +=
+          2.0 * slope * contact.weights[c] * triangles.touch.inverse_mass[corner];
+    }
+  }
+  return need;
+}
+
+}  // namespace palpate

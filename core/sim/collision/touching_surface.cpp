@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/collision/private/touching_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate {
+namespace {
+
+/// Of a vertex whose particles are all held, 0: nothing moves it.
+std::vector<double> invert_masses(const TissueModel& tissue) {
+  std::vector<double> inverse = compute_surface_mass(tissue);
+  for (double& mass : inverse) mass = 1.0 / mass;
+  std::vector<unsigned char> held(tissue.rest_position.size(), 0);
+  for (const int i : tissue.fixed) held[static_cast<std::size_t>(i)] = 1;
+  for (std::size_t v = 0; v < inverse.size(); ++v) {
+    bool is_held = held[v] != 0;
+    if (!tissue.skin.corners.empty()) {
+      is_held = std::ranges::all_of(tissue.skin.corners[v], [&](int particle) {
+        return held[static_cast<std::size_t>(particle)] != 0;
+      });
+    }
+    if (is_held) inverse[v] = 0.0;
+  }
+  return inverse;
+}
+
+}  // namespace
+
+SurfaceTouch::SurfaceTouch(const TissueModel& tissue) : inverse_mass(invert_masses(tissue)) {
+  const std::size_t count = inverse_mass.size();
+  corner.assign(count, {0, 0});
+  for (std::size_t t = 0; t < tissue.triangles.size(); ++t) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      corner[static_cast<std::size_t>(tissue.triangles[t][c])] = {static_cast<int>(t),
+                                                                  static_cast<int>(c)};
+    }
+  }
+  last.assign(count, Vec3::Zero());
+  row.assign(count, 0.0);
+  force.assign(count, Vec3::Zero());
+  impulse.assign(count, Vec3::Zero());
+  pushed.reserve(count);
+  is_pushed.assign(count, 0);
+  load = Load(static_cast<int>(count));
+}
+
+void follow_move(std::span<const Vec3> x, SurfaceTouch& touch) noexcept {
+  double most = 0.0;
+  if (touch.has_last) {
+    for (std::size_t v = 0; v < x.size(); ++v) {
+      most = std::max(most, (x[v] - touch.last[v]).squaredNorm());
+    }
+  }
+  touch.move = std::sqrt(most);
+  std::ranges::copy(x, touch.last.begin());
+  touch.has_last = true;
+}
+
+void write_load(SurfaceTouch& touch) noexcept {
+  touch.load.clear();
+  for (const int vertex : touch.pushed) {
+    const auto v = static_cast<std::size_t>(vertex);
+    touch.load.add({touch.corner[v][0], Vec3::Unit(touch.corner[v][1]), touch.force[v]});
+    touch.force[v].setZero();
+    touch.is_pushed[v] = 0;
+  }
+  touch.pushed.clear();
+}
+
+Vec3 TouchingSurface::velocity_of(int vertex) const noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
+  const Skin& skin = tissue.skin;
+  if (skin.corners.empty()) return velocity[v] + touch.impulse[v];
+  Vec3 sum = touch.impulse[v];
+  for (std::size_t k = 0; k < 4; ++k) {
+    sum += skin.weights[v][k] * velocity[static_cast<std::size_t>(skin.corners[v][k])];
+  }
+  return sum;
+}
+
+void TouchingSurface::add_force(int vertex, const Vec3& force) const noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
+  touch.force[v] += force;
+  if (touch.is_pushed[v] != 0) return;
+  touch.is_pushed[v] = 1;
+  touch.pushed.push_back(vertex);
+}
+
+void TouchingSurface::add_impulse(int vertex, const Vec3& impulse) const noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
+  touch.impulse[v] += touch.inverse_mass[v] * impulse;
+  touch.has_impulse = true;
+}
+
+}  // namespace palpate

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/tick/private/touch_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/collision/private/choose_barrier.h"
+#include "palpate/sim/tick/private/cost_histograms.h"
+#include "palpate/sim/tick/private/follow_tissue.h"
+
+namespace palpate {
+namespace {
+
+/// [m] Beyond the thickness: nearer than this, surfaces are looked at; farther than twice it, no
+/// longer.
+constexpr double kMeeting = 3.0 * kListMargin;
+
+/// [-] of the thickness that a gap may close by in one substep.
+constexpr double kLongestApproach = 0.3;
+
+/// [m] Between the boxes of two surfaces, each grown by what its tree may be behind.
+double measure_between(const SoftState& a, const SoftState& b) noexcept {
+  const Vec3 gap = (a.tree.low() - b.tree.high()).cwiseMax(b.tree.low() - a.tree.high());
+  return gap.cwiseMax(0.0).norm() - bound_lag(a) - bound_lag(b);
+}
+
+TouchingSurface view_surface(const Scene& scene, std::size_t body, World& world) noexcept {
+  const SoftState& state = world.bodies[body];
+  return {scene.bodies[body].tissue, surface_position(state), state.tissue.velocity,
+          workspace(world).touched[body]};
+}
+
+void find_pair(const Scene& scene, std::size_t p, World& world) noexcept {
+  BodyContacts& contacts = workspace(world).contacts[p];
+  const auto& bodies = contacts.bodies;
+  const double move =
+      workspace(world).touched[bodies[0]].move + workspace(world).touched[bodies[1]].move;
+  for (std::size_t k = 0; k < contacts.side_count; ++k) {
+    SurfaceContacts& side = contacts.sides[k];
+    if (!world.body_pairs[p].near) {
+      side.begun = false;
+      side.active_count = 0;
+      continue;
+    }
+    const SoftState &first = world.bodies[bodies[k]], &second = world.bodies[bodies[1 - k]];
+    renew_lists(surface_position(first), second.tree, surface_position(second), move, side);
+    find_near(surface_position(first), scene.bodies[bodies[1 - k]].tissue.triangles,
+              surface_position(second), side);
+    if (side.active_count == 0) continue;
+    for (const std::size_t b : bodies) workspace(world).touched[b].is_touched = true;
+  }
+}
+
+/// What the contacts of all pairs ask of the steps of a tick.
+void find_need(const Scene& scene, double dt, World& world) noexcept {
+  TickBuffers& work = workspace(world);
+  Stopwatch watch(world.measures_costs);
+  for (std::size_t p = 0; p < work.contacts.size(); ++p) {
+    const auto& bodies = work.contacts[p].bodies;
+    for (std::size_t k = 0; k < work.contacts[p].side_count; ++k) {
+      const SurfaceContacts& side = work.contacts[p].sides[k];
+      if (side.active_count == 0) continue;
+      const ContactNeed need = accumulate_stiffness(side, dt, view_surface(scene, bodies[k], world),
+                                                    view_surface(scene, bodies[1 - k], world));
+      const double approach = need.approach * dt / side.barrier.thickness;
+      for (const std::size_t b : bodies) {
+        work.touched[b].approach = std::max(work.touched[b].approach, approach);
+      }
+    }
+    watch.add_to(world.costs.body_pairs[p].candidates);
+  }
+  for (SurfaceTouch& touch : work.touched) {
+    if (!touch.is_touched) continue;
+    touch.stiffness = *std::ranges::max_element(touch.row);
+    std::ranges::fill(touch.row, 0.0);
+  }
+}
+
+/// Of a body that has stepped, velocities have what impulses did in them.
+void forget_impulses(int s, int finest, World& world) noexcept {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    SurfaceTouch& touch = workspace(world).touched[b];
+    if (!touch.has_impulse) continue;
+    if (s > 0 && s % (finest / world.bodies[b].substeps) != 0) continue;
+    std::ranges::fill(touch.impulse, Vec3::Zero());
+    touch.has_impulse = false;
+  }
+}
+
+void note(const ContactSum& sum, double towards_second, BodyPairState& pair) noexcept {
+  pair.touching += sum.touching;
+  if (sum.touching > 0) pair.least_gap = std::min(pair.least_gap, sum.least_gap);
+  pair.force += towards_second * sum.force;
+}
+
+/// What bodies of a pair must be like, each.
+void check_touching(const Scene& scene, int index) {
+  const SoftBody& body = scene.bodies[static_cast<std::size_t>(index)];
+  const std::string where = write_text("scene: bodies[", index, "].");
+  if (!body.tissue.elastic.corners.empty() && body.kernel != Kernel::reference) {
+    refuse(where + "kernel", "a linear solid under its response",
+           "reference, or a tissue of another law, for a body of body_pairs: contacts with other "
+           "bodies are not solved with a precomputed response");
+  }
+  if (body.force_error > 0.0) {
+    refuse(where + "force_error [N]", write_text(body.force_error),
+           "0 for a body of body_pairs: how wrong sleep makes a force is known of balls");
+  }
+  if (scene.exchange_rate > 0.0) {
+    refuse("scene: exchange_rate [Hz]", write_text(scene.exchange_rate),
+           "0 for a scene with body_pairs: between two exchanges bodies do not touch each other");
+  }
+}
+
+void check_body_pair(const Scene& scene, std::size_t p, const std::string& where) {
+  const BodyPair& pair = scene.body_pairs[p];
+  const auto count = static_cast<int>(scene.bodies.size());
+  for (const int body : {pair.first, pair.second}) {
+    if (body >= 0 && body < count) continue;
+    refuse(where, write_text("body ", body),
+           write_text("one of the ", count, " bodies, counted from 0"));
+  }
+  if (pair.first == pair.second && !scene.bodies[static_cast<std::size_t>(pair.first)].may_fold) {
+    refuse(where, write_text("body ", pair.first, " with itself"),
+           "two bodies, or one that may_fold");
+  }
+  for (std::size_t other = 0; other < p; ++other) {
+    const BodyPair& earlier = scene.body_pairs[other];
+    const bool same =
+        std::min(earlier.first, earlier.second) == std::min(pair.first, pair.second) &&
+        std::max(earlier.first, earlier.second) == std::max(pair.first, pair.second);
+    if (!same) continue;
+    refuse(where, write_text("bodies ", pair.first, " and ", pair.second, " again"),
+           "each pair once");
+  }
+  for (const int body : {pair.first, pair.second}) check_touching(scene, body);
+}
+
+}  // namespace
+
+void build_body_pairs(Scene& scene) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto index = static_cast<int>(b);
+    const bool listed = std::ranges::any_of(scene.body_pairs, [&](const BodyPair& pair) {
+      return pair.first == index && pair.second == index;
+    });
+    if (scene.bodies[b].may_fold && !listed) {
+      scene.body_pairs.push_back({.first = index, .second = index});
+    }
+  }
+  for (std::size_t p = 0; p < scene.body_pairs.size(); ++p) {
+    BodyPair& pair = scene.body_pairs[p];
+    const std::string where = write_text("scene: body_pairs[", p, "]");
+    check_body_pair(scene, p, where);
+    choose_barrier(where, scene.bodies[static_cast<std::size_t>(pair.first)].tissue,
+                   scene.bodies[static_cast<std::size_t>(pair.second)].tissue, pair);
+  }
+}
+
+void build_body_contacts(const Scene& scene, World& world) {
+  TickBuffers& work = workspace(world);
+  world.body_pairs.resize(scene.body_pairs.size());
+  work.contacts.resize(scene.body_pairs.size());
+  if (scene.body_pairs.empty()) return;
+  work.touched.resize(scene.bodies.size());
+  for (std::size_t p = 0; p < scene.body_pairs.size(); ++p) {
+    const BodyPair& pair = scene.body_pairs[p];
+    const std::array bodies = {static_cast<std::size_t>(pair.first),
+                               static_cast<std::size_t>(pair.second)};
+    const Barrier barrier{pair.thickness, pair.stiffness, pair.damping};
+    BodyContacts& contacts = work.contacts[p];
+    contacts.bodies = bodies;
+    contacts.side_count = bodies[0] == bodies[1] ? 1 : 2;
+    for (std::size_t k = 0; k < contacts.side_count; ++k) {
+      const TissueModel& tissue = scene.bodies[bodies[k]].tissue;
+      contacts.sides[k] = SurfaceContacts(tissue, scene.bodies[bodies[1 - k]].tissue,
+                                          bodies[0] == bodies[1], barrier);
+      SurfaceTouch& touch = work.touched[bodies[k]];
+      if (touch.corner.empty()) touch = SurfaceTouch(tissue);
+    }
+  }
+  meet_bodies(world);
+  find_body_contacts(scene, 1.0 / scene.rate, world);
+}
+
+void meet_bodies(World& world) noexcept {
+  if (world.body_pairs.empty()) return;
+  for (SoftState& body : world.bodies) internals(body).meets = false;
+  for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
+    BodyPairState& pair = world.body_pairs[p];
+    const BodyContacts& contacts = workspace(world).contacts[p];
+    const auto& bodies = contacts.bodies;
+    SoftState &first = world.bodies[bodies[0]], &second = world.bodies[bodies[1]];
+    const double reach = contacts.sides[0].barrier.thickness + (pair.near ? 2.0 : 1.0) * kMeeting;
+    pair.near = bodies[0] == bodies[1] || measure_between(first, second) < reach;
+    if (!pair.near) continue;
+    internals(first).meets = internals(second).meets = true;
+  }
+}
+
+void find_body_contacts(const Scene& scene, double dt, World& world) noexcept {
+  if (world.body_pairs.empty()) return;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    SurfaceTouch& touch = workspace(world).touched[b];
+    touch.is_touched = false;
+    touch.stiffness = touch.approach = 0.0;
+    touch.move = 0.0;
+    if (!internals(world.bodies[b]).meets) {
+      touch.has_last = false;
+    } else if (!world.bodies[b].asleep || !touch.has_last) {
+      follow_move(surface_position(world.bodies[b]), touch);
+    }
+  }
+  Stopwatch watch(world.measures_costs);
+  for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
+    find_pair(scene, p, world);
+    watch.add_to(world.costs.body_pairs[p].candidates);
+  }
+  find_need(scene, dt, world);
+}
+
+bool is_touched(std::size_t body, World& world) noexcept {
+  return !world.body_pairs.empty() && workspace(world).touched[body].is_touched;
+}
+
+double bound_touch_stiffness(std::size_t body, World& world) noexcept {
+  return is_touched(body, world) ? workspace(world).touched[body].stiffness : 0.0;
+}
+
+double count_approach_substeps(std::size_t body, World& world) noexcept {
+  if (!is_touched(body, world)) return 1.0;
+  return std::ceil(workspace(world).touched[body].approach / kLongestApproach);
+}
+
+std::span<const Push> list_touch_pushes(std::size_t body, World& world) noexcept {
+  if (world.body_pairs.empty()) return {};
+  return workspace(world).touched[body].load.pushes();
+}
+
+void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world) noexcept {
+  if (world.body_pairs.empty()) return;
+  TickBuffers& work = workspace(world);
+  Stopwatch watch(world.measures_costs);
+  forget_impulses(s, finest, world);
+  for (std::size_t p = 0; p < work.contacts.size(); ++p) {
+    BodyPairState& pair = world.body_pairs[p];
+    BodyContacts& contacts = work.contacts[p];
+    if (s == 0) pair.least_gap = std::numeric_limits<double>::infinity();
+    if (s == 0) pair.force.setZero();
+    const auto& bodies = contacts.bodies;
+    double energy = 0.0;
+    pair.touching = 0;
+    for (std::size_t k = 0; k < contacts.side_count; ++k) {
+      if (contacts.sides[k].active_count == 0) continue;
+      const ContactSum sum =
+          push_contacts(contacts.sides[k], dt, view_surface(scene, bodies[k], world),
+                        view_surface(scene, bodies[1 - k], world));
+      const double towards_second = contacts.side_count == 1 ? 0.0 : k == 0 ? 1.0 : -1.0;
+      note(sum, towards_second, pair);
+      energy += sum.energy;
+    }
+    if (s == 0) contacts.stored_energy = energy;
+    watch.add_to(world.costs.body_pairs[p].contact);
+  }
+  for (SurfaceTouch& touch : work.touched) write_load(touch);
+}
+
+void end_touching(int finest, World& world) noexcept {
+  for (BodyPairState& pair : world.body_pairs) pair.force /= finest;
+}
+
+double bound_touch_work(std::size_t body, World& world) noexcept {
+  double bound = 0.0;
+  const TickBuffers& work = workspace(world);
+  for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
+    const auto& bodies = work.contacts[p].bodies;
+    if (bodies[0] != body && bodies[1] != body) continue;
+    bound += work.contacts[p].stored_energy;
+    const std::size_t other = bodies[0] == body ? bodies[1] : bodies[0];
+    if (other != body) bound += std::max(0.0, -work.work[other]);
+  }
+  return bound;
+}
+
+}  // namespace palpate

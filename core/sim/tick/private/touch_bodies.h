@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "palpate/sim/tick/private/world_internals.h"
+#include "palpate/sim/tick/world.h"
+
+namespace palpate {
+
+// The stages of a tick in which bodies touch each other, in their sequence. Without body_pairs none
+// does anything.
+
+/// Of build_scene: checks body_pairs, adds those of bodies that may fold, and chooses their
+/// constants where they are 0. Throws std::invalid_argument.
+void build_body_pairs(Scene& scene);
+
+/// Makes what a world needs for its body_pairs, with all lists of contacts that may be.
+void build_body_contacts(const Scene& scene, World& world);
+
+/// Finds which bodies are near each other. Those follow all of their tissue in this tick.
+void meet_bodies(World& world) noexcept;
+
+/// Finds what of their surfaces may touch in this tick, where all of them is up to date.
+void find_body_contacts(const Scene& scene, double dt, World& world) noexcept;
+
+/// Whether a surface of another body, or of its own, may touch this one in this tick.
+bool is_touched(std::size_t body, World& world) noexcept;
+
+/// [1/s²] What contacts with other surfaces add to the largest eigenvalue of M⁻¹K at most.
+double bound_touch_stiffness(std::size_t body, World& world) noexcept;
+
+/// The substeps that the speed at which other surfaces come near asks for.
+double count_approach_substeps(std::size_t body, World& world) noexcept;
+
+/// What other surfaces do to a body in a substep; none without body_pairs.
+std::span<const Push> list_touch_pushes(std::size_t body, World& world) noexcept;
+
+/// Calls `visit(vertex)` for what other surfaces may touch of a body, and for the corners of what
+/// may touch its own; some of them several times.
+template <class Visit>
+void for_each_touched_vertex(const Scene& scene, std::size_t body, World& world, Visit visit) {
+  for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
+    const BodyContacts& contacts = workspace(world).contacts[p];
+    const auto& bodies = contacts.bodies;
+    for (std::size_t k = 0; k < contacts.side_count; ++k) {
+      const SurfaceContacts& side = contacts.sides[k];
+      for (const int vertex : side.active_in_use()) {
+        if (bodies[k] == body) visit(vertex);
+        if (bodies[1 - k] != body) continue;
+        const auto v = static_cast<std::size_t>(vertex);
+        for (std::size_t n = 0; n < side.near_count[v]; ++n) {
+          for (const int corner : scene.bodies[body].tissue.triangles[side.near[v][n]]) {
+            visit(corner);
+          }
+        }
+      }
+    }
+  }
+}
+
+/// Finds the forces between all bodies for substep s of `finest`, each of dt [s].
+void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world) noexcept;
+
+/// Ends the substeps of a tick: what each pair did in them.
+void end_touching(int finest, World& world) noexcept;
+
+/// [J] No less than a body can have been given by others it touches: what these have lost, and what
+/// was in the barriers between them.
+double bound_touch_work(std::size_t body, World& world) noexcept;
+
+}  // namespace palpate
