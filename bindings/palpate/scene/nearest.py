@@ -31,9 +31,10 @@ class Usual:
 
 
 USUAL = {
-    "material.density": Usual(1060.0, 0.3, low_is_hard=True, beyond=1.0),
+    "material.density": Usual(1060.0, 0.3, low_is_hard=True, beyond=3.0),
     "material.young_modulus": Usual(1e4, 2.0),
     "material.damping_ratio": Usual(0.2, 1.0),
+    "material.wall_thickness": Usual(2e-3, 1.0, low_is_hard=True, beyond=1.25),
     "model.stiffness": Usual(50.0, 1.5),
     "model.bend_stiffness": Usual(1e-4, 2.0),
     "model.stretch_coupling": Usual(1e-2, 2.0),
@@ -139,6 +140,8 @@ def list_stiffening(model: ModelPart) -> list[str]:
         keys += ["model.bend_stiffness", "model.stretch_coupling"]
     if model.kind not in FILLED:
         keys.append("model.home_stiffness")
+    if model.kind == "shell":
+        keys.append("material.wall_thickness")
     return [*keys, "material.damping_ratio", "model.drag", "material.density"]
 
 

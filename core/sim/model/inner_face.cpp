@@ -99,11 +99,21 @@ void move_inwards(const SurfaceMesh& outer, const Vec3Array& normals, InnerFace&
   }
 }
 
+/// [m] The mean edge of the triangles.
+double find_mean_edge(const SurfaceMesh& mesh) {
+  double sum = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    for (int c = 0; c < 3; ++c) sum += (mesh.vertices[t[(c + 1) % 3]] - mesh.vertices[t[c]]).norm();
+  }
+  return sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+}
+
 /// Half a body at most belongs to the wall of each side.
 void limit_to_body(const SurfaceMesh& mesh, const Vec3Array& normals, double distance,
                    std::vector<double>& depth) {
   const double reach = distance / kFarShare;
-  const Grid grid(mesh, reach);
+  // cubes as small as a thin wall would be more than there is memory for
+  const Grid grid(mesh, std::max(reach, find_mean_edge(mesh)));
   for (int i = 0; i < static_cast<int>(normals.size()); ++i) {
     if (!(normals[i].squaredNorm() > 0.0)) continue;
     const std::optional<double> exit = grid.find_exit(i, -normals[i], reach);

@@ -133,6 +133,18 @@ TEST_CASE("a shell has a stable step, and a stiffer or thinner wall a shorter on
   CHECK(stable_step(build_shell(mesh, make_wall(1e-3))) < dt);
 }
 
+TEST_CASE("a wall a thousandth as thick as its triangles are wide is built, in no more memory") {
+  const SurfaceMesh sheet = scenes::make_sheet(7, 7, 0.06);
+  const std::size_t n = sheet.vertices.size();
+
+  const TissueModel model = build_shell(sheet, make_wall(5e-6));
+
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 below = model.rest_position[i] - model.rest_position[n + i];
+    CHECK(below.norm() == Approx(5e-6 / std::sqrt(3.0)).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("a wall too thick for its surface is refused at the triangle that would be lost") {
   const SurfaceMesh mesh = scenes::make_ellipsoid({0.01, 0.01, 0.01}, 2);
 
