@@ -29,7 +29,7 @@ from palpate_editor.edits.orient import METRES
 from palpate_editor.edits.own_filling import take_filling
 from palpate_editor.edits.part_regions import find_regions
 from palpate_editor.edits.place_parts import find_colour, place_surfaces
-from palpate_editor.edits.wall import settle_wall
+from palpate_editor.edits.wall import is_closed, settle_wall
 from palpate_editor.pictures import decode_pictures
 from palpate_editor.vertex_colours import find_mean, paint_surface
 
@@ -170,7 +170,9 @@ def import_read(
         again = import_read(path, scene, parts=parts, unit=guessed, up=up, assembling=assembling)
         told = replace(again.source, unit_guessed=True, unit_reason=read.source.unit_reason)
         return replace(again, source=told)
-    return add_belongings(read, scene, imported.joined, assembling)
+    made = add_belongings(read, scene, imported.joined, assembling)
+    is_closed(made.surface)  # here, where it may take its time
+    return made
 
 
 def add_belongings(
