@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/alpha_wrap_3.h>
 
+#include "palpate/authoring/cgal/private/quick_boxes.h"
 #include "palpate/authoring/cgal/private/surface_mesh.h"
 
 // A file of its own: a minute to compile, and nobody includes it.
@@ -27,7 +28,8 @@ SurfaceMesh wrap_triangles(const SurfaceMesh& mesh, double alpha, double offset)
                      static_cast<std::size_t>(t[2])});
   }
   Surface wrapped;
-  CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped);
+  const auto options = CGAL::parameters::geom_traits(QuickBoxKernel());
+  CGAL::alpha_wrap_3(points, faces, alpha, offset, wrapped, options);
   return to_mesh(wrapped);
 }
 
