@@ -13,16 +13,16 @@ namespace palpate::authoring {
 /// The usual kernel, but that a search in a tree of boxes asks of a triangle and a box with no
 /// exact arithmetic: it may look into a box in vain, and finds what it found.
 class QuickBoxKernel : public CGAL::Exact_predicates_inexact_constructions_kernel {
-  using Base = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using ExactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
  public:
-  class Do_intersect_3 : public Base::Do_intersect_3 {
+  class Do_intersect_3 : public ExactKernel::Do_intersect_3 {
    public:
-    using Base::Do_intersect_3::operator();
+    using ExactKernel::Do_intersect_3::operator();
 
-    bool operator()(const Base::Triangle_3& triangle, const CGAL::Bbox_3& box) const {
+    bool operator()(const ExactKernel::Triangle_3& triangle, const CGAL::Bbox_3& box) const {
       const auto corner = [&](int v) {
-        const Base::Point_3& p = triangle.vertex(v);
+        const ExactKernel::Point_3& p = triangle.vertex(v);
         return TriangleBox::Vector{p.x(), p.y(), p.z()};
       };
       return TriangleBox({corner(0), corner(1), corner(2)}, {box.xmin(), box.ymin(), box.zmin()},
