@@ -65,6 +65,7 @@ HapticSample SafeDevice::read(double time) noexcept {
     last_sample_.time = time;
     last_sample_.velocity.setZero();
     last_sample_.buttons = 0;
+    last_sample_.grip = 0.0;
   }
   return last_sample_;
 }

@@ -121,6 +121,7 @@ TEST_CASE("a sample that is not finite latches: the hand stays and the force is 
     Puppet puppet;
     puppet.hand.position = Vec3(0.01, 0.02, 0.03);
     puppet.hand.buttons = kAttachButton;
+    puppet.hand.grip = 0.5;
     SafeDevice safe(puppet);
     double time = begin(safe);
     run(safe, puppet, {0, 0, 1}, 300, time);
@@ -132,6 +133,7 @@ TEST_CASE("a sample that is not finite latches: the hand stays and the force is 
 
     CHECK(sample.position == Vec3(0.01, 0.02, 0.03));
     CHECK(sample.buttons == 0);
+    CHECK(sample.grip == 0.0);  // or jaws would hold on for ever
     CHECK(puppet.pushed == Vec3::Zero());
     CHECK(safe.fault() == DeviceFault::sample_not_finite);
 
