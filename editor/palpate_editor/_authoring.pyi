@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from os import PathLike
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
 from palpate import SolidMesh, SurfaceMesh
 
 Path = str | PathLike[str]
@@ -22,6 +24,21 @@ class ImportedPart:
     @property
     def colour(self) -> list[float] | None:
         """sRGB, 0 to 1, of its material or the mean of its vertices'."""
+    @property
+    def paint(self) -> NDArray[np.float32]:
+        """(3 t, 5) of each corner u, v, 0 to 1 from the picture's lower left, and r, g, b, sRGB,
+        which multiply the picture's; no rows where all are alike."""
+    @property
+    def pictures(self) -> NDArray[np.int32]:
+        """(t,) The picture of each triangle, beside `paint`; -1 for none."""
+
+class Picture:
+    """What surfaces are painted with, as its file has it."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def bytes(self) -> bytes: ...
 
 class PartPlace:
     """How a part lies to the others of its file."""
@@ -56,6 +73,8 @@ class ImportedScene:
     @property
     def notes(self) -> list[str]:
         """What was odd about the file but could be read all the same."""
+    @property
+    def pictures(self) -> list[Picture]: ...
     @property
     def filling(self) -> SolidMesh:
         """Tetrahedra whose outer faces the parts are; empty where the file has none."""

@@ -48,6 +48,8 @@ NOT_MIRRORED = {
     "AabbTree.Node": "rows of AabbTree.nodes()",
     "ContactLanes": "inside of balance_tool under the packed kernel",
     "Candidates.lanes": "inside of balance_tool under the packed kernel",
+    "Candidates.border": "inside of balance_tool at an open border",
+    "Candidates.at_border": "inside of balance_tool at an open border",
     "TreeRefit": "inside of AabbTree",
     "TreeCost": "inside of World: when the loop has another tree built",
     "ToolState.Hold": "rows of ToolState.holds",

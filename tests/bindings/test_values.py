@@ -29,7 +29,7 @@ NO_VALUES = {
     "Progress",
 }  # fmt: skip
 """What runs, or holds what it cannot share."""
-WORK_SPACE = {"State": {"scratch"}, "Candidates": {"lanes", "near"}}
+WORK_SPACE = {"State": {"scratch"}, "Candidates": {"lanes", "near", "border", "at_border"}}
 
 
 def read_fields(value: object) -> dict[str, object]:

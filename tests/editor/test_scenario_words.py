@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 import pytest
-from palpate.assessment import author, author_values
+from palpate.assessment import author, author_tools, author_values
 from palpate.cli.main import main
 from palpate_editor.views.scenario.verb_words import (
     SAYINGS,
@@ -23,6 +23,8 @@ def made() -> author.Json:
     new, _ = author.add_step(new, "touch", at)
     new, _ = author.add_step(new, "hold", at)
     new, _ = author.add_limit(new, "force")
+    new = author_tools.set_kind(new, "left", "probe")
+    new = author_tools.set_kind(new, "right", "grasper")
     new = author_values.add_level(new, "hard")
     new = author_values.set_parameter(new, "most", {"unit": "N", "value": 1.0})
     return author_values.set_level_value(new, "most", "hard", 0.7)
@@ -42,6 +44,10 @@ CHANGES = [
     (author.change_limit, "force", {}, "end"),
     (author.remove_limit, "force"),
     (author.set_text, "title", "tr", "Başka"),
+    (author_tools.set_kind, "right", "ball"),
+    (author_tools.set_tool, "right", {"friction": 0.6, "grip_force_N": 4.0}),
+    (author_tools.remove_tool, "right"),
+    (author_tools.give_step, "touch", "right"),
     (author_values.set_time, 42.5),
     (author_values.add_level, "easy"),
     (author_values.remove_level, "hard"),

@@ -49,6 +49,7 @@ SCENES = {
     "shell_gallbladder": ORGANS / "gallbladder.palpate",
     "shell_simple_tissue": ORGANS / "simple_tissue.palpate",
     "shell_stomach": ORGANS / "stomach.palpate",
+    "solid_collecting_system": ORGANS / "collecting_system.palpate",
     "solid_kidney": ORGANS / "kidney.palpate",
     "solid_liver": ORGANS / "liver.palpate",
     "solid_spleen": ORGANS / "spleen.palpate",

@@ -350,7 +350,7 @@ class HandThatMayFail(palpate.PointerDevice):
 def test_a_device_that_fails_ends_the_run_with_a_sentence(panel, qtbot, monkeypatch):
     told = []
     # the window's own hand refuses what is not finite: this one may say it, as a real device may
-    monkeypatch.setattr(palpate, "SurfacePointer", lambda scene: HandThatMayFail())
+    monkeypatch.setattr(palpate, "SurfacePointer", lambda *scene: HandThatMayFail())
     panel.context.told.connect(lambda words, severity: told.append((words, severity)))
     start_hand(panel, qtbot)
     with qtbot.waitSignal(panel.runner.ended, timeout=LONG):
