@@ -64,13 +64,13 @@ def take_answer(
     pictures: Sequence[authoring.Picture], answer: bytes
 ) -> tuple[list[np.ndarray | None], list[str]]:
     decoded: list[np.ndarray | None] = []
-    said, at = [], 0
+    notes, at = [], 0
     for picture in pictures:
         pixels, why, at = take_picture(answer, at)
         decoded.append(pixels)
         if pixels is None:
-            said.append(f"the picture {picture.name} stays behind: {why}")
-    return decoded, said
+            notes.append(f"the picture {picture.name} stays behind: {why}")
+    return decoded, notes
 
 
 def take_picture(answer: bytes, at: int) -> tuple[np.ndarray | None, str, int]:

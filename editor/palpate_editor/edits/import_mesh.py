@@ -220,15 +220,19 @@ def colour_surface(
     cannot be decoded as well."""
     parts = [part for part in scene.parts if part.name in source.parts]
     used = {int(n) for part in parts for n in np.unique(np.asarray(part.pictures))}
-    pictures, words = decode_pictures(scene.pictures if used - {-1} else [])
+    pictures, notes = decode_pictures(scene.pictures if used - {-1} else [])
     placed = [at for _, at in place_surfaces(scene, unit, source.up, source.parts, ratio)]
     colours = paint_surface(surface, parts, placed, pictures)
     if colours is None:
-        return surface, words
+        return surface, notes
     drawn = sum(picture is not None for picture in pictures)
-    of = "" if drawn == 0 else ", of its picture" if drawn == 1 else f", of its {drawn} pictures"
-    said = f"its colours come along, one for each vertex{of}"
-    return replace(surface, colours=colours), [*words, said]
+    if drawn == 0:
+        notes.append("its colours come along, one for each vertex")
+    elif drawn == 1:
+        notes.append("its colours come along, one for each vertex, of its picture")
+    else:
+        notes.append(f"its colours come along, one for each vertex, of its {drawn} pictures")
+    return replace(surface, colours=colours), notes
 
 
 def describe_assembly(assembling: Assembling, joined: authoring.JoinedSurface) -> Assembly | None:

@@ -304,10 +304,6 @@
         <translation>yüzleri arasında %1 derece var, %2 derece gerekir</translation>
     </message>
     <message>
-        <source>its parts differ in colour: the organ has their mean</source>
-        <translation>parçalarının renkleri farklı: organ bunların ortalamasını alır</translation>
-    </message>
-    <message>
         <source>its tetrahedra are not used, and the organ is filled again: %1</source>
         <translation>dörtyüzlüleri kullanılmaz, organ yeniden doldurulur: %1</translation>
     </message>
@@ -2196,10 +2192,6 @@
         <translation>%2 paketinin okuduğu bir %1 dosyası; o paket burada yok</translation>
     </message>
     <message>
-        <source>a surface made of triangles or quadrilaterals</source>
-        <translation>üçgenlerden ya da dörtgenlerden oluşan bir yüzey</translation>
-    </message>
-    <message>
         <source>a vertex of %1 numbers</source>
         <translation>%1 sayılı bir köşe</translation>
     </message>
@@ -3186,6 +3178,366 @@
     <message>
         <source>who reviewed it, and as what</source>
         <translation>kimin, hangi sıfatla incelediği</translation>
+    </message>
+    <message>
+        <source>#VRML V1.0 ascii, #VRML V2.0 utf8 or #Inventor V2.1</source>
+        <translation>#VRML V1.0 ascii, #VRML V2.0 utf8 ya da #Inventor V2.1</translation>
+    </message>
+    <message>
+        <source>%1 %2, as its first line says</source>
+        <translation>ilk satırının dediği gibi %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 at least</source>
+        <translation>en az %1</translation>
+    </message>
+    <message>
+        <source>%1 colours</source>
+        <translation>%1 renk</translation>
+    </message>
+    <message>
+        <source>%1 corners and two cells</source>
+        <translation>%1 köşe ve iki hücre</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 yüz</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1 points and %2 cells, as its header says</source>
+        <translation>başlığının dediği gibi %1 nokta ve %2 hücre</translation>
+    </message>
+    <message>
+        <source>%1 points and %2 triangles</source>
+        <translation>%1 nokta ve %2 üçgen</translation>
+    </message>
+    <message>
+        <source>%1 points say a coordinate system of their own, which was not looked at</source>
+        <translation>%1 nokta kendi koordinat sistemini söylüyor; ona bakılmadı</translation>
+    </message>
+    <message>
+        <source>%1 whole numbers</source>
+        <translation>%1 tam sayı</translation>
+    </message>
+    <message>
+        <source>%1, as Fluent writes it without 'Binary'</source>
+        <translation>Fluent'in 'Binary' olmadan yazdığı gibi %1</translation>
+    </message>
+    <message>
+        <source>%1, as it says</source>
+        <translation>dediği gibi %1</translation>
+    </message>
+    <message>
+        <source>%1, one for each vertex</source>
+        <translation>%1, her köşe için bir tane</translation>
+    </message>
+    <message>
+        <source>%1.ele or %2.face beside it</source>
+        <translation>yanında %1.ele ya da %2.face</translation>
+    </message>
+    <message>
+        <source>*NODE and *ELEMENT of Abaqus</source>
+        <translation>Abaqus'un *NODE ve *ELEMENT bölümleri</translation>
+    </message>
+    <message>
+        <source>*NODE and *ELEMENT of LS-DYNA</source>
+        <translation>LS-DYNA'nın *NODE ve *ELEMENT bölümleri</translation>
+    </message>
+    <message>
+        <source>*VERTICES and *ELEMENTS of VegaFEM</source>
+        <translation>VegaFEM'in *VERTICES ve *ELEMENTS bölümleri</translation>
+    </message>
+    <message>
+        <source>0: the instrument has no trocar to turn about</source>
+        <translation>0: aletin çevresinde döneceği bir trokar yok</translation>
+    </message>
+    <message>
+        <source>3 numbers</source>
+        <translation>3 sayı</translation>
+    </message>
+    <message>
+        <source>4, 6 or 8 of a solid</source>
+        <translation>bir katının 4, 6 ya da 8 köşesi</translation>
+    </message>
+    <message>
+        <source>4d 5a, which an mz3 begins with</source>
+        <translation>bir mz3'ün başladığı 4d 5a</translation>
+    </message>
+    <message>
+        <source>6 of an element</source>
+        <translation>bir elemanın 6 sayısı</translation>
+    </message>
+    <message>
+        <source>ASCII, Base64Binary or GZipBase64Binary</source>
+        <translation>ASCII, Base64Binary ya da GZipBase64Binary</translation>
+    </message>
+    <message>
+        <source>GRID and elements of Nastran</source>
+        <translation>Nastran'ın GRID satırları ve elemanları</translation>
+    </message>
+    <message>
+        <source>IndexedFaceSet, a surface made of triangles or polygons</source>
+        <translation>IndexedFaceSet: üçgen ya da çokgenlerden bir yüzey</translation>
+    </message>
+    <message>
+        <source>TET or CUBIC</source>
+        <translation>TET ya da CUBIC</translation>
+    </message>
+    <message>
+        <source>[%1, %2, %3], that of the instrument</source>
+        <translation>[%1, %2, %3], aletinki</translation>
+    </message>
+    <message>
+        <source>a FreeSurfer surface</source>
+        <translation>bir FreeSurfer yüzeyi</translation>
+    </message>
+    <message>
+        <source>a ball</source>
+        <translation>bir küre</translation>
+    </message>
+    <message>
+        <source>a ball, a probe or a grasper: the instrument is a ball</source>
+        <translation>bir küre, bir sonda ya da bir tutucu: alet bir küre</translation>
+    </message>
+    <message>
+        <source>a file of GIFTI</source>
+        <translation>bir GIFTI dosyası</translation>
+    </message>
+    <message>
+        <source>a file of Medit: MeshVersionFormatted, Dimension 3, Vertices</source>
+        <translation>bir Medit dosyası: MeshVersionFormatted, Dimension 3, Vertices</translation>
+    </message>
+    <message>
+        <source>a grasper: the instrument has jaws</source>
+        <translation>bir tutucu: aletin çeneleri var</translation>
+    </message>
+    <message>
+        <source>a kind of cell</source>
+        <translation>bir hücre türü</translation>
+    </message>
+    <message>
+        <source>a line of corners</source>
+        <translation>bir köşe satırı</translation>
+    </message>
+    <message>
+        <source>a mesh of Fluent as text</source>
+        <translation>metin olarak bir Fluent ağı</translation>
+    </message>
+    <message>
+        <source>a mesh of Netgen: surfaceelements, points</source>
+        <translation>bir Netgen ağı: surfaceelements, points</translation>
+    </message>
+    <message>
+        <source>a model of FEBio</source>
+        <translation>bir FEBio modeli</translation>
+    </message>
+    <message>
+        <source>a model of FEBio with its mesh in the same file</source>
+        <translation>ağı aynı dosyada olan bir FEBio modeli</translation>
+    </message>
+    <message>
+        <source>a neutral file of Gambit</source>
+        <translation>bir Gambit nötr dosyası</translation>
+    </message>
+    <message>
+        <source>a sound file</source>
+        <translation>sağlam bir dosya</translation>
+    </message>
+    <message>
+        <source>a surface made of triangles or quadrilaterals, or cells that fill space</source>
+        <translation>üçgen ya da dörtgenlerden bir yüzey ya da hacmi dolduran hücreler</translation>
+    </message>
+    <message>
+        <source>a surface of GIFTI: .surf.gii</source>
+        <translation>bir GIFTI yüzeyi: .surf.gii</translation>
+    </message>
+    <message>
+        <source>a universal file</source>
+        <translation>bir evrensel (UNV) dosya</translation>
+    </message>
+    <message>
+        <source>a universal file of nodes and elements</source>
+        <translation>düğüm ve elemanları olan bir evrensel (UNV) dosya</translation>
+    </message>
+    <message>
+        <source>a whole file</source>
+        <translation>bütün bir dosya</translation>
+    </message>
+    <message>
+        <source>an element of Netgen</source>
+        <translation>bir Netgen elemanı</translation>
+    </message>
+    <message>
+        <source>an organ</source>
+        <translation>bir organ</translation>
+    </message>
+    <message>
+        <source>another kind: the instrument has a shaft or jaws</source>
+        <translation>başka bir tür: aletin şaftı ya da çeneleri var</translation>
+    </message>
+    <message>
+        <source>bytes as base64</source>
+        <translation>base64 olarak baytlar</translation>
+    </message>
+    <message>
+        <source>colours of other triangles</source>
+        <translation>başka üçgenlerin renkleri</translation>
+    </message>
+    <message>
+        <source>corners of faces</source>
+        <translation>yüzlerin köşeleri</translation>
+    </message>
+    <message>
+        <source>elements of the lowest order</source>
+        <translation>en düşük dereceden elemanlar</translation>
+    </message>
+    <message>
+        <source>elements that are no faces and fill no space were passed over: %1</source>
+        <translation>yüz olmayan ve hacim doldurmayan elemanlar atlandı: %1</translation>
+    </message>
+    <message>
+        <source>facets behind them</source>
+        <translation>arkalarından yüzler</translation>
+    </message>
+    <message>
+        <source>facets without</source>
+        <translation>onsuz yüzler</translation>
+    </message>
+    <message>
+        <source>four or five of a section</source>
+        <translation>bir bölümün dört ya da beş sayısı</translation>
+    </message>
+    <message>
+        <source>hexadecimal numbers</source>
+        <translation>onaltılık sayılar</translation>
+    </message>
+    <message>
+        <source>hexahedron</source>
+        <translation>altı yüzlü</translation>
+    </message>
+    <message>
+        <source>how many points and cells there are</source>
+        <translation>kaç nokta ve hücre olduğu</translation>
+    </message>
+    <message>
+        <source>its closing bracket</source>
+        <translation>kapanış ayracı</translation>
+    </message>
+    <message>
+        <source>its text (ivcat writes it)</source>
+        <translation>metin hâli (ivcat yazar)</translation>
+    </message>
+    <message>
+        <source>mesh3d, which a file of Netgen begins with</source>
+        <translation>bir Netgen dosyasının başladığı mesh3d</translation>
+    </message>
+    <message>
+        <source>more %1</source>
+        <translation>daha çok %1</translation>
+    </message>
+    <message>
+        <source>more corners of a facet</source>
+        <translation>bir yüzün daha çok köşesi</translation>
+    </message>
+    <message>
+        <source>more corners of an element</source>
+        <translation>bir elemanın daha çok köşesi</translation>
+    </message>
+    <message>
+        <source>more facets</source>
+        <translation>daha çok yüz</translation>
+    </message>
+    <message>
+        <source>more nodes of an element</source>
+        <translation>bir elemanın daha çok düğümü</translation>
+    </message>
+    <message>
+        <source>nodes and elements written out</source>
+        <translation>açıkça yazılmış düğüm ve elemanlar</translation>
+    </message>
+    <message>
+        <source>none of it beside trocar_m</source>
+        <translation>trocar_m yanında hiçbiri</translation>
+    </message>
+    <message>
+        <source>none: the instrument has no trocar</source>
+        <translation>hiçbiri: aletin trokarı yok</translation>
+    </message>
+    <message>
+        <source>number, material, kind and corners of a cell</source>
+        <translation>bir hücrenin numarası, malzemesi, türü ve köşeleri</translation>
+    </message>
+    <message>
+        <source>numbers of %1</source>
+        <translation>%1 sayıları</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>piramit</translation>
+    </message>
+    <message>
+        <source>quad</source>
+        <translation>dörtgen</translation>
+    </message>
+    <message>
+        <source>rows of 3</source>
+        <translation>3'lü satırlar</translation>
+    </message>
+    <message>
+        <source>tetra</source>
+        <translation>dört yüzlü</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>dört yüzlüler</translation>
+    </message>
+    <message>
+        <source>the file it includes</source>
+        <translation>içerdiği dosya</translation>
+    </message>
+    <message>
+        <source>the outside of a mesh</source>
+        <translation>bir ağın dışı</translation>
+    </message>
+    <message>
+        <source>the points of its cells there</source>
+        <translation>hücrelerinin noktaları orada</translation>
+    </message>
+    <message>
+        <source>those of a %1</source>
+        <translation>bir %1 için olanlar</translation>
+    </message>
+    <message>
+        <source>three</source>
+        <translation>üç</translation>
+    </message>
+    <message>
+        <source>three for each</source>
+        <translation>her biri için üç</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>üçgen</translation>
+    </message>
+    <message>
+        <source>version 1 to 4 of Medit's binary files</source>
+        <translation>Medit'in ikili dosyalarının 1 ile 4 arası sürümü</translation>
+    </message>
+    <message>
+        <source>wedge</source>
+        <translation>kama</translation>
+    </message>
+    <message>
+        <source>x y z of each point</source>
+        <translation>her noktanın x y z değerleri</translation>
+    </message>
+    <message>
+        <source>|u1 of shape (%1, 3)</source>
+        <translation>(%1, 3) biçiminde |u1</translation>
     </message>
 </context>
 </TS>
