@@ -6,6 +6,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/collision/private/nearest.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/tree/aabb_tree.h"
 #include "palpate/sim/tree/queries.h"
@@ -37,17 +38,6 @@ double sum_links(const TissueModel& tissue) noexcept {
   return sum;
 }
 
-double sum_area(const TissueModel& tissue) {
-  const Vec3Array x = compute_surface(tissue, tissue.rest_position);
-  double area = 0.0;
-  for (const auto& [i, j, k] : tissue.triangles) {
-    const Vec3 a = x[static_cast<std::size_t>(i)];
-    area +=
-        0.5 * (x[static_cast<std::size_t>(j)] - a).cross(x[static_cast<std::size_t>(k)] - a).norm();
-  }
-  return area;
-}
-
 /// Springs of 5/2 mu sum V/L² have sum k L² = 15 mu V, a tetrahedron having six edges; the volume
 /// term adds lambda - mu [laws: solid].
 double estimate_of_springs(const TissueModel& tissue) noexcept {
@@ -59,7 +49,8 @@ double estimate_of_springs(const TissueModel& tissue) noexcept {
 
 /// Springs of E h sum A/L² have sum k L² = 3 E h A, a triangle having three sides.
 double estimate_of_wall(const TissueModel& tissue) {
-  const double area = sum_area(tissue);
+  const double area =
+      compute_area({compute_surface(tissue, tissue.rest_position), tissue.triangles});
   const double wall = compute_total_mass(tissue) / (kDensity * area);
   return std::abs(sum_links(tissue)) / (3.0 * area * wall);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/tree/queries.h"
 
@@ -63,18 +64,6 @@ std::vector<unsigned char> mark_border(std::span<const Triangle> triangles, std:
     for (const int v : topology.edges[e]) on_border[static_cast<std::size_t>(v)] = 1;
   }
   return on_border;
-}
-
-std::vector<double> share_area(const TissueModel& tissue) {
-  const Vec3Array x = compute_surface(tissue, tissue.rest_position);
-  std::vector<double> area(x.size(), 0.0);
-  for (const auto& [i, j, k] : tissue.triangles) {
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j),
-               c = static_cast<std::size_t>(k);
-    const double third = (x[b] - x[a]).cross(x[c] - x[a]).norm() / 6.0;
-    for (const std::size_t v : {a, b, c}) area[v] += third;
-  }
-  return area;
 }
 
 /// [m] From a point to the box around a surface.
@@ -140,7 +129,8 @@ SurfaceContacts::SurfaceContacts(const TissueModel& vertices, const TissueModel&
     : barrier(barrier_in),
       same(same_in),
       closed(is_closed(triangles.triangles)),
-      area(share_area(vertices)),
+      area(compute_vertex_areas(
+          {compute_surface(vertices, vertices.rest_position), vertices.triangles})),
       on_border(
           mark_border(triangles.triangles, static_cast<std::size_t>(surface_count(triangles)))),
       found(triangles.triangles.size()) {

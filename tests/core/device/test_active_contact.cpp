@@ -170,7 +170,7 @@ TEST_CASE("no strike of a hand that no force moves is damped, however fast") {
   CHECK(strike({.position_source = true}, 0.0, most).damped == 0);
 }
 
-TEST_CASE("the energy that a contact generates is observed whoever moves the hand") {
+TEST_CASE("an active contact's energy is observed at a position-controlled device") {
   const double most = SafetyLimits{}.energy_max;
   const Strike even = strike({.position_source = true});
   for (const double drive : {1.0, 1.5}) {
