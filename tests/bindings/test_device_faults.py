@@ -19,7 +19,8 @@ from emulated_port import EmulatedPort, play_as_process
 from palpate.cli.main import main
 from palpate.cli.play import describe_play_report
 from palpate.runs.felt import read_rendered
-from palpate.runs.play import DEVICE_FAULT, Play, open_play, play_headless
+from palpate.runs.play import Play, open_play
+from palpate.runs.play_report import DEVICE_FAULT, play_headless
 from published import publish, write_press
 from surfaces import press_frames
 

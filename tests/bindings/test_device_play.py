@@ -14,7 +14,8 @@ from palpate.cli.main import main
 from palpate.cli.play import describe_play_report
 from palpate.command.verb import WrongCall
 from palpate.device.names import split_hand
-from palpate.runs.play import Play, open_play, play_headless
+from palpate.runs.play import Play, open_play
+from palpate.runs.play_report import play_headless
 from published import publish, write_press
 
 GALLBLADDER = Path(__file__).resolve().parents[1] / "scenes" / "springs" / "gallbladder.palpate"

@@ -14,7 +14,8 @@ from palpate.render import build_instrument
 from palpate.runs.felt import read_column, read_touched
 from palpate.runs.other_hands import find_centre, find_fulcrum, name_hands, park
 from palpate.runs.pictures import place_instruments
-from palpate.runs.play import open_play, play_headless
+from palpate.runs.play import open_play
+from palpate.runs.play_report import play_headless
 from palpate.runs.script_file import write_script_file
 from palpate.viewport import Grip, PointerHands, make_view
 from PySide6.QtCore import QPoint, QPointF, Qt

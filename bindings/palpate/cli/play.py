@@ -14,7 +14,8 @@ from palpate.device.names import HANDS, PARKED, POINTER, find_port, split_hand
 from palpate.files.file_kind import RECORD
 from palpate.runs.kept_play import open_keeper, play_kept
 from palpate.runs.live import find_longest
-from palpate.runs.play import DEVICE_FAULT, open_play, play_headless
+from palpate.runs.play import open_play
+from palpate.runs.play_report import DEVICE_FAULT, play_headless
 from palpate.runs.run import PUBLISHED, say_link
 from palpate.system.display import require_display
 

@@ -31,7 +31,8 @@ from palpate.player.style import build_palette, build_style
 from palpate.render.authored_appearance import find_appearance, find_colours
 from palpate.runs.live import Frame, LiveRun
 from palpate.runs.next_attempt import draw_next
-from palpate.runs.play import Play, describe_outcome, describe_play, describe_run
+from palpate.runs.play import Play
+from palpate.runs.play_report import describe_outcome, describe_play, describe_run
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
 from palpate.viewport import PointerHands, make_view, see_instruments

@@ -16,7 +16,8 @@ import palpate
 from palpate.assessment.verdict import describe_verdict, pick_events
 from palpate.command.verb import Report, WrongCall
 from palpate.device.names import find_port
-from palpate.runs.play import Play, describe_run, play_headless
+from palpate.runs.play import Play
+from palpate.runs.play_report import describe_run, play_headless
 from palpate.scene.scene_file import hash_file
 
 if TYPE_CHECKING:

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is said of a played run: how it came out, what was felt, what it cost. Knows no Qt."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+import palpate
+from palpate.assessment.verdict import describe_verdict, pick_events
+from palpate.command.verb import Report
+from palpate.runs.felt import read_column, read_touched
+from palpate.runs.play import Play, describe_device
+from palpate.runs.run import describe_costs, run_device
+
+DONE, DEVICE_FAULT = "done", "device_fault"
+"""How a run came out."""
+
+
+def play_headless(play: Play) -> Report:
+    """Runs a script, or a real hand, through the real 1 kHz loop and says what was felt and what it
+    cost. A device that fails, or gives no force, ends the run.
+    """
+    path = play.name_record()
+    device = play.build_device()
+    safety = play.find_safety(device)
+    driven = play.join_devices(device, play.build_others())
+    costs = run_device(
+        play.scenario.scene, driven, play.duration, path, play.path, safety, play.drawn
+    )
+    state = describe_device(device)
+    outcome = describe_outcome(costs)
+    if outcome["outcome"] != DEVICE_FAULT and 0 < costs.ticks == costs.unrendered_ticks:
+        outcome = {"outcome": DEVICE_FAULT, "reason": f"the motors never came on: {state}"}
+    return {
+        **outcome,
+        **describe_play(play),
+        "record": str(path),
+        **describe_run(play, path, costs),
+        "device_state": state,
+        **({} if play.drawn is None else {"verdict": judge_record(play, path)}),
+    }
+
+
+def judge_record(play: Play, record: Path) -> Report:
+    """The verdict of a recorded run: what it was judged to be while it ran, and the same again by
+    its replay, from which the sums of its limits are.
+    """
+    assert play.drawn is not None
+    rows = palpate.read_record(record)
+    again = palpate.replay(play.scenario.scene, rows, play.drawn.task)
+    events = pick_events(rows.events)
+    assessment = json.loads(play.scenario.assessment)
+    return {
+        **describe_verdict(play.drawn, again.task, events, assessment),
+        "outcome": palpate.find_outcome(rows).name,
+        "replay_equal": again.equal and again.events_equal,
+    }
+
+
+def describe_outcome(costs: palpate.LoopReport) -> Report:
+    """How a run came out, and why where its device failed or gave no force any more."""
+    if costs.fault is not palpate.DeviceFault.none:
+        return {"outcome": DEVICE_FAULT, "reason": costs.fault_reason}
+    judged = costs.outcome is not palpate.Outcome.running
+    return {"outcome": costs.outcome.name if judged else DONE, "reason": costs.fault_reason}
+
+
+def describe_play(play: Play) -> Report:
+    text = play.translation()
+    return {"scenario": str(play.path), "title": text.title, "task": text.task}
+
+
+def describe_run(play: Play, record: Path, costs: palpate.LoopReport) -> Report:
+    """What was felt in a run, what was computed, by its record, and what it cost.
+
+    Felt is what the device was sent while its motors were on.
+    """
+    rows = palpate.read_record(record)
+    computed = np.linalg.norm(read_column(rows, "felt", "force").astype(float), axis=1)
+    rate = play.scenario.scene.rate
+    return {
+        **describe_costs(costs, play.scenario.scene),
+        "lateness_max_us": 1e6 * costs.lateness.max,
+        "record_gaps": costs.record_gaps,
+        "peak_force_N": costs.peak_force,
+        "mean_force_in_touch_N": costs.touch_force if costs.touch_ticks > 0 else None,
+        "time_in_touch_s": costs.touch_ticks / rate,
+        "peak_computed_N": float(computed.max(initial=0.0)),
+        "time_in_touch_computed_s": float(read_touched(rows).sum()) / rate,
+        "motors_off_s": costs.unrendered_ticks / rate,
+    }
