@@ -5842,7 +5842,7 @@ class LoopReport:
         """Went without the report of a device that has its own pace."""
     @property
     def lateness(self) -> Percentiles:
-        """Start of a tick behind its due time."""
+        """Start of a tick behind the first due time since the last one."""
     @property
     def cost(self) -> Percentiles:
         """Of the tick itself, device included."""

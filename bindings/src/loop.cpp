@@ -153,7 +153,8 @@ void bind_report(py::module_& m) {
                     "Skipped because an earlier tick was still at work.")
       .def_readonly("unpaced_ticks", &LoopReport::unpaced_ticks,
                     "Went without the report of a device that has its own pace.")
-      .def_readonly("lateness", &LoopReport::lateness, "Start of a tick behind its due time.")
+      .def_readonly("lateness", &LoopReport::lateness,
+                    "Start of a tick behind the first due time since the last one.")
       .def_readonly("cost", &LoopReport::cost, "Of the tick itself, device included.")
       .def_readonly("part_costs", &LoopReport::part_costs,
                     "Of its parts; of no ticks unless LoopOptions.measures_costs.")

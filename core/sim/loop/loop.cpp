@@ -198,17 +198,21 @@ void Loop::Impl::run_ticks() noexcept {
                                                   : std::numeric_limits<std::int64_t>::max();
   pace.begin(0);
   long skipped = 0;
+  std::int64_t late_since = 0;  // [ns] due time of the first tick that was skipped
   for (std::int64_t index = 0; index < end;) {
     const std::int64_t due = pace.wait(index);
     if (stopping.load(std::memory_order_acquire)) break;
     if (pausing.load(std::memory_order_acquire)) {
       rest(index);
+      late_since = pace.due(index);
       continue;
     }
-    lateness = std::max<std::int64_t>(0, read_clock() - due);
+    const std::int64_t since = skipped > 0 ? late_since : due;
+    lateness = std::max<std::int64_t>(0, read_clock() - since);
     run_tick(index, skipped);
 
     const std::int64_t now = read_clock();
+    late_since = pace.due(index + 1);
     for (skipped = 0, ++index; index < end && pace.due(index) < now; ++index) {
       ++skipped;
     }

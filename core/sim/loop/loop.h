@@ -96,7 +96,7 @@ struct LoopReport {
   long ticks = 0;
   long missed_ticks = 0;      ///< skipped because an earlier tick was still at work
   long unpaced_ticks = 0;     ///< went without the report of a device that has its own pace
-  Percentiles lateness;       ///< start of a tick behind its due time
+  Percentiles lateness;       ///< start of a tick behind the first due time since the last one
   Percentiles cost;           ///< of the tick itself, device included
   SceneCosts part_costs;      ///< of its parts; empty unless LoopOptions::measures_costs
   bool realtime = false;      ///< granted
