@@ -9,6 +9,7 @@ from pathlib import Path
 
 from palpate import FileError
 from palpate.translation import install
+from palpate.translation.refusals import read_patterns
 from PySide6.QtCore import QLocale, QObject, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox
 
@@ -58,6 +59,7 @@ class Editor(QObject):
         self.sweeper.timeout.connect(self.sweep)
         self.sweeper.start()
         self.window = self.build_window()
+        read_patterns()  # now, so that the first sentence of the core need not wait 50 ms for it
         self.settle_memory()
 
     def settle_memory(self) -> None:

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import palpate
 from palpate.scene.scene_parts import FILLED
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QPushButton, QWidget
 
 from palpate_editor.document import Organ
 from palpate_editor.edits import CapHoles, SetFineRegion, SetReach
+from palpate_editor.edits.wall import is_closed
 from palpate_editor.views.context import Context
 from palpate_editor.views.stages.constant_form import build_grid
 from palpate_editor.views.stages.facts import Section, write_label
@@ -90,7 +90,7 @@ class FillForm(Section):
 
     def show_organ(self, organ: Organ) -> None:
         self.setVisible(organ.model.kind in FILLED)
-        is_open = organ.surface is not None and not palpate.is_closed(organ.surface.triangles)
+        is_open = organ.surface is not None and not is_closed(organ.surface)
         self.close_button.setVisible(is_open)
         self.fine.show_organ(organ, organ.model.kind in FILLED)
         self.reach.show_organ(organ, organ.model.kind == "linear_solid")
