@@ -132,6 +132,7 @@ void bind_limits(py::module_& m) {
   m.attr("MOST_TASK_BYTES") = scenario::kMostTaskBytes;
   m.attr("MOST_LANGUAGES") = scenario::kMostLanguages;
   m.attr("MOST_BODIES") = scenario::kMostBodies;
+  m.attr("MOST_BODY_PAIRS") = scenario::kMostBodyPairs;
   m.attr("MOST_INSTRUMENTS") = scenario::kMostInstruments;
   m.attr("MOST_PARTICLES") = scenario::kMostParticles;
   m.attr("MOST_TRIANGLES") = scenario::kMostTriangles;

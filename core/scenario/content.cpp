@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "palpate/scenario/body_pairs.h"
 #include "palpate/scenario/json_fields.h"
 #include "palpate/scenario/tables.h"
 
@@ -82,6 +83,7 @@ Json print_instrument(const Instrument& instrument) {
 
 Json print_scene(const Scene& scene) {
   Json printed = {{"bodies", Json::array()},
+                  {"body_pairs", print_pairs(scene)},
                   {"instruments", Json::array()},
                   {"gravity", print_vector(scene.gravity)},
                   {"rate", scene.rate}};
@@ -207,6 +209,7 @@ void parse_scene(Fields fields, Scene& scene) {
   for (Fields& body : fields.objects("bodies", kMostBodies)) {
     scene.bodies.push_back(parse_body(std::move(body)));
   }
+  parse_pairs(fields, scene);
   scene.instruments.clear();
   for (Fields& instrument : fields.objects("instruments", kMostInstruments)) {
     scene.instruments.push_back(parse_instrument(std::move(instrument)));

@@ -64,6 +64,21 @@ void check_derived(const std::string& place, const SoftBody& found, const SoftBo
           kSpectrumError);
 }
 
+/// A file has no kernels, and every reader chooses: under the one it chooses for a linear solid,
+/// nothing touches that solid but instruments.
+void check_kernels(const Scene& scene) {
+  for (const BodyPair& pair : scene.body_pairs) {
+    for (const int index : {pair.first, pair.second}) {
+      if (index < 0 || static_cast<std::size_t>(index) >= scene.bodies.size()) continue;
+      if (scene.bodies[static_cast<std::size_t>(index)].tissue.elastic.corners.empty()) continue;
+      refuse(write_text("scene.bodies[", index, "].tissue.elastic"),
+             "a linear solid in a pair of body_pairs",
+             "a tissue of another law: a file's linear solids are solved by their response, which "
+             "other bodies cannot touch");
+    }
+  }
+}
+
 }  // namespace
 
 void check_counts(const Scene& scene) {
@@ -90,7 +105,12 @@ Scene check_built(const Scene& scene) {
     if (body.substeps >= 1 && body.substeps_max >= 1) continue;
     refuse(write_text("scene.bodies[", b, "].substeps"), "0", "the result of build_scene");
   }
+  check_kernels(scene);
   Scene built = build_scene(scene);
+  if (built.body_pairs.size() != scene.body_pairs.size()) {
+    refuse("scene.body_pairs", write_text(scene.body_pairs.size()),
+           write_text(built.body_pairs.size(), ", one more for each body that may fold"));
+  }
   for (std::size_t b = 0; b < built.bodies.size(); ++b) {
     const std::string place = write_text("scene.bodies[", b, "].");
     check_derived(place, scene.bodies[b], built.bodies[b]);

@@ -108,6 +108,11 @@ const Json& Fields::any(const char* name) {
 
 Fields Fields::object(const char* name) { return Fields(any(name), file_, place(name)); }
 
+bool Fields::is_empty_list(const char* name) {
+  const Json& list = any(name);
+  return list.is_array() && list.empty();
+}
+
 std::vector<Fields> Fields::objects(const char* name, std::size_t most) {
   const Json& list = any(name);
   if (!list.is_array() || list.empty() || list.size() > most) {

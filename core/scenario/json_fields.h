@@ -35,6 +35,8 @@ class Fields {
   bool has(const char* name) const { return object_.contains(name); }
   const Json& any(const char* name);
   Fields object(const char* name);
+  /// Whether a member is a list without entries.
+  bool is_empty_list(const char* name);
   /// Of a list of 1 to `most` objects, in order.
   std::vector<Fields> objects(const char* name, std::size_t most);
   std::string text(const char* name, std::size_t most_bytes);

@@ -7,6 +7,7 @@
 #include "palpate/scenario/scenario.h"
 #include "palpate/scenario/table_array.h"
 #include "palpate/scenario/tables.h"
+#include "palpate/sim/base/error.h"
 #include "palpate/sim/model/private/law_tables.h"
 
 namespace palpate::scenario {
@@ -94,10 +95,24 @@ void add_bodies_and_instruments(Container& container) {
   container.content = content.dump();
 }
 
+/// Version 6 has pairs of bodies that touch; none of a file of before do.
+void add_body_pairs(Container& container) {
+  Json content = parse_object(container.content, "", "content");
+  if (!content.contains("scene") || !content["scene"].is_object()) return;
+  Json& scene = content["scene"];
+  if (scene.contains("body_pairs")) {
+    throw FileError("", "manifest.json: content.scene.body_pairs",
+                    "one in a file of version " + std::to_string(container.version),
+                    "none, which came with version 6");
+  }
+  scene["body_pairs"] = Json::array();
+  container.content = content.dump();
+}
+
 /// Version 2 has walls of prisms, and solids; version 3 linear solids; version 5 corotated and
 /// neo-Hookean ones.
-constexpr std::array<Migration, 4> kMigrations = {
-    add_laws<2>, add_laws<3>, add_bodies_and_instruments, add_laws_to_bodies<5>};
+constexpr std::array<Migration, 5> kMigrations = {
+    add_laws<2>, add_laws<3>, add_bodies_and_instruments, add_laws_to_bodies<5>, add_body_pairs};
 
 }  // namespace
 

@@ -57,6 +57,9 @@ std::vector<Range> build_ranges() {
   ranges.push_back({"scene.exchange_rate", "Hz", 10.0, 2e4});
   ranges.push_back({"scene.bodies[i].force_error", "N", 0.0, 10.0});
   ranges.push_back({"scene.bodies[i].contact.modulus", "Pa", 1.0, 1e9});
+  ranges.push_back({"scene.body_pairs[i].thickness", "m", 1e-5, 5e-3});
+  ranges.push_back({"scene.body_pairs[i].stiffness", "N/m³", 1e3, 1e13});
+  ranges.push_back({"scene.body_pairs[i].damping", "-", 0.0, 1.0});
   append_numbers(ranges);
   ranges.push_back({"scene.bodies[i].tissue.pressure", "Pa", -1e6, 1e6});
   ranges.push_back({"scene.bodies[i].tissue.drag", "1/s", 0.0, 1e6});
@@ -171,7 +174,6 @@ const std::vector<Range>& list_ranges() {
 void check_ranges(const Scene& scene) {
   check_empty("scene.rigid", scene.rigid.size());
   check_empty("scene.scenery", scene.scenery.size());
-  check_empty("scene.body_pairs", scene.body_pairs.size());
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
     check_instrument(scene.instruments[i], i);
   }
@@ -179,8 +181,13 @@ void check_ranges(const Scene& scene) {
   check_number("scene.rate", scene.rate);
   if (scene.exchange_rate != 0.0) check_number("scene.exchange_rate", scene.exchange_rate);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    check_empty("scene.bodies.may_fold", scene.bodies[b].may_fold ? 1 : 0);
     check_body(scene.bodies[b], b);
+  }
+  for (std::size_t p = 0; p < scene.body_pairs.size(); ++p) {
+    const BodyPair& pair = scene.body_pairs[p];
+    check_number("scene.body_pairs[i].thickness", pair.thickness, p);
+    check_number("scene.body_pairs[i].stiffness", pair.stiffness, p);
+    check_number("scene.body_pairs[i].damping", pair.damping, p);
   }
 }
 

@@ -87,13 +87,22 @@ void check_corners(const std::string& file, const std::string& folder, const Tis
                   sentence.substr(expected + kExpected.size()));
 }
 
+/// What a migration refuses it does not know the file of.
+void migrate_file(const std::string& file, Container& container) {
+  try {
+    migrate(migrations(), container);
+  } catch (const FileError& problem) {
+    throw FileError(file, problem.where, problem.got, problem.expected);
+  }
+}
+
 }  // namespace
 
 Scenario unpack(Container container, const std::string& file) {
   Scenario scenario;
   scenario.version = container.version;
   scenario.written_by = std::move(container.written_by);
-  migrate(migrations(), container);
+  migrate_file(file, container);
   parse_content(container.content, file, scenario);
   visit_tables(scenario.scene, [&](const std::string& name, auto& table) {
     take_table(container.arrays, name, file, table);

@@ -17,6 +17,8 @@ inline constexpr std::size_t kMostLanguages = 50;  ///< beside the one of title 
 
 // No limit of a machine: what one table in an operating theatre has room for.
 inline constexpr std::size_t kMostBodies = 16;
+inline constexpr std::size_t kMostBodyPairs =
+    kMostBodies * (kMostBodies + 1) / 2;             ///< each two, and each with itself
 inline constexpr std::size_t kMostInstruments = 16;  ///< as many as a record has room for
 
 // The largest tissue that a file may hold, all its bodies together: more than ticks 1000 times a

@@ -17,6 +17,8 @@ FILES = (
     *("sim/arm/pty_device.cpp", "sim/arm/calibration.cpp", "sim/tick/scene.cpp"),
     *(
         "sim/tick/world.cpp",
+        "sim/tick/private/touch_bodies.cpp",
+        "sim/collision/choose_barrier.cpp",
         "sim/packed/private/active_rule.cpp",
         "sim/implicit/implicit_stepper.cpp",
         "sim/response/build_response.cpp",

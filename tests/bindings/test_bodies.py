@@ -231,9 +231,22 @@ def test_a_scene_keeps_its_pairs_in_copies_and_pickles():
         assert kept.body_pairs[0].stiffness == 1e6
 
 
-def test_a_published_file_holds_no_pairs_yet_and_says_so(tmp_path):
+def test_a_published_file_keeps_which_bodies_touch(tmp_path):
     bodies = [make_body(), make_body(ASIDE)]
-    scene = palpate.build_scene(palpate.Scene(bodies=bodies, body_pairs=[palpate.BodyPair()]))
-    with pytest.raises(ValueError, match="body_pairs: got 1"):
-        palpate.scenario.write(tmp_path / "two.palpate", palpate.scenario.Scenario(scene=scene))
-    assert list(tmp_path.iterdir()) == []
+    bodies[1].may_fold = True
+    pair = palpate.BodyPair(1, 0, damping=0.1)
+    scene = palpate.build_scene(palpate.Scene(bodies=bodies, body_pairs=[pair]))
+    path = tmp_path / "two.palpate"
+
+    palpate.scenario.write(path, palpate.scenario.Scenario(scene=scene))
+    found = palpate.scenario.read(path).scene
+
+    def numbers(scene: palpate.Scene) -> list[tuple[float, ...]]:
+        return [
+            (pair.first, pair.second, pair.thickness, pair.stiffness, pair.damping)
+            for pair in scene.body_pairs
+        ]
+
+    assert numbers(found) == numbers(scene)
+    assert [(pair.first, pair.second) for pair in found.body_pairs] == [(1, 0), (1, 1)]
+    assert [body.may_fold for body in found.bodies] == [False, True]

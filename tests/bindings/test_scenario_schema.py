@@ -53,7 +53,8 @@ def published_pair() -> bytes:
     tissues = [copy.copy(organ_scene(1).bodies[0].tissue) for _ in range(2)]
     np.asarray(tissues[1].rest_position)[:] += (0.2, 0.0, 0.0)
     bodies = [palpate.SoftBody(tissue=tissue) for tissue in tissues]
-    scene = palpate.Scene(bodies=bodies, instruments=[palpate.Instrument()] * 2)
+    pairs = [palpate.BodyPair(0, 1)]
+    scene = palpate.Scene(bodies=bodies, instruments=[palpate.Instrument()] * 2, body_pairs=pairs)
     made = scenario.Scenario(scene=palpate.build_scene(scene), title="Two spleens")
     return scenario.pack_container(scenario.pack(made))
 
@@ -101,8 +102,9 @@ def test_the_schema_has_every_integrator():
     assert body["integrator"]["enum"] == [one.name for one in palpate.Integrator]
 
 
+PAIR = {"bodies": [0, 0], "thickness": 4e-4, "stiffness": 1e7, "damping": 0.3}
 CHANGES = {
-    "newer version": set_in("version", 6),
+    "newer version": set_in("version", 7),
     "unknown member": set_in("script", "x"),
     "no title": remove("content|title"),
     "text for a number": set_in("content|scene|rate", "fast"),
@@ -112,6 +114,11 @@ CHANGES = {
     "an unknown integrator": set_in("content|scene|bodies|0|integrator", "leapfrog"),
     "no bodies": set_in("content|scene|bodies", []),
     "one body, no list": set_in("content|scene|bodies", {}),
+    "no list of pairs": remove("content|scene|body_pairs"),
+    "a pair of one body": set_in("content|scene|body_pairs", [PAIR | {"bodies": [0]}]),
+    "a pair of a body below 0": set_in("content|scene|body_pairs", [PAIR | {"bodies": [0, -1]}]),
+    "a pair without a thickness": set_in("content|scene|body_pairs", [PAIR | {"thickness": 0}]),
+    "a pair with friction": set_in("content|scene|body_pairs", [PAIR | {"friction": 1}]),
     "too many instruments": set_in("content|scene|instruments", [{}] * 17),
     "an instrument without a tool": remove("content|scene|instruments|0|tool"),
     "a body of version 3": set_in("content|scene|tissue", {}),

@@ -29,9 +29,13 @@ Json = dict[str, Any]
 
 
 def hash_content(published: scenario.Scenario) -> str:
-    """SHA-256 of the assessment without self-play and reviews, and of all tables of the scene."""
+    """SHA-256 of the assessment without self-play and reviews, and of all tables of the scene
+    and its pairs of bodies."""
     found = hashlib.sha256(scenario.draw_task(published).sha256.encode())
-    arrays = scenario.pack(published).arrays
+    packed = scenario.pack(published)
+    pairs, arrays = json.loads(packed.content)["scene"]["body_pairs"], packed.arrays
+    if pairs:  # without any, a hash is what it was before there were some
+        found.update(json.dumps(pairs, sort_keys=True).encode())
     for name in sorted(arrays):
         if name.startswith("scene/"):
             found.update(name.encode() + b"\n" + np.asarray(arrays[name]).tobytes())

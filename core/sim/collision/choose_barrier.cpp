@@ -125,10 +125,12 @@ void check_apart(const std::string& where, const TissueModel& first, const Tissu
   if (!(nearest.gap < 0.5 * pair.thickness)) return;
   const int of = nearest.of_first ? pair.first : pair.second;
   const int other = nearest.of_first ? pair.second : pair.first;
-  const char* place = nearest.gap < 0.0 ? " mm inside of body " : " mm from body ";
+  const double distance = 1e3 * std::abs(nearest.gap);
   refuse(where,
-         write_text("vertex ", nearest.vertex, " of body ", of, " ", 1e3 * std::abs(nearest.gap),
-                    place, other),
+         nearest.gap < 0.0 ? write_text("vertex ", nearest.vertex, " of body ", of, " ", distance,
+                                        " mm inside of body ", other)
+                           : write_text("vertex ", nearest.vertex, " of body ", of, " ", distance,
+                                        " mm from body ", other),
          write_text("at least ", 0.5e3 * pair.thickness,
                     " mm between them at rest, half of the thickness: move one of them"));
 }

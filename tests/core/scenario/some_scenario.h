@@ -81,6 +81,18 @@ inline Scene make_pair_scene() {
   return build_scene(std::move(scene));
 }
 
+/// Two organs above each other that touch, the lower of which may fold as well.
+inline Scene make_touching_scene() {
+  Scene scene = make_pair_scene();
+  SoftBody& lower = scene.bodies[1];
+  for (Vec3& x : lower.tissue.rest_position) x += Vec3(-0.2, 0.0, -0.0604);
+  lower.force_error = 0.0;
+  lower.may_fold = true;
+  scene.gravity = Vec3::Zero();  // under which the lower one sinks out of touch
+  scene.body_pairs = {{.first = 1, .second = 0, .stiffness = 2e7, .damping = 0.2}};
+  return build_scene(std::move(scene));
+}
+
 inline Scenario make_scenario() {
   Scenario made;
   made.title = "Böbrek";

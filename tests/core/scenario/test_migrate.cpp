@@ -106,12 +106,24 @@ TEST_CASE("a file that says it is older and has what only a newer one can have i
   CHECK(contains(refusal([&] { scenario::unpack(old, "file"); }), "content.scene.bodies: got"));
 }
 
+TEST_CASE(
+    "in a file of before there were pairs no bodies touch, and one that has some is refused") {
+  Container old = scenario::read_container(PALPATE_PUBLISHED "/v5.palpate", "palpate", 5);
+  CHECK(scenario::unpack(old, "file").scene.body_pairs.empty());
+  const std::string begin = "\"scene\":{";
+  old.content.replace(old.content.find(begin), begin.size(), begin + "\"body_pairs\":[],");
+
+  CHECK(refusal([&] { scenario::unpack(old, "file"); }) ==
+        "file: manifest.json: content.scene.body_pairs: got one in a file of version 5, expected "
+        "none, which came with version 6");
+}
+
 // Run once for every new version, see tests/scenes/published/README.md.
 TEST_CASE("publish the file to keep of the newest version" * doctest::skip()) {
   const std::string version = std::to_string(scenario::newest_version());
   Scenario made = make_scenario();
   made.title = "Kept of version " + version;
-  made.scene = make_pair_scene();
+  made.scene = make_touching_scene();
 
   scenario::write(PALPATE_PUBLISHED "/v" + version + ".palpate", made);
 }

@@ -260,6 +260,26 @@
         <translation>parçalar arasında %1 köşe kaynaştırıldı, en çok %2 mm kayarak</translation>
     </message>
     <message>
+        <source>%1, one more for each body that may fold</source>
+        <translation>%1; katlanabilen her cisim için bir fazlası</translation>
+    </message>
+    <message>
+        <source>0 for a body of body_pairs: how wrong sleep makes a force is known of balls</source>
+        <translation>body_pairs içindeki bir cisim için 0: uykunun kuvveti ne kadar yanlış yaptığı bilyeler için bilinir</translation>
+    </message>
+    <message>
+        <source>0 for a scene with body_pairs: between two exchanges bodies do not touch each other</source>
+        <translation>body_pairs olan bir sahne için 0: iki alışveriş arasında cisimler birbirine değmez</translation>
+    </message>
+    <message>
+        <source>0 to have it chosen, or a positive number</source>
+        <translation>seçilmesi için 0 ya da artı bir sayı</translation>
+    </message>
+    <message>
+        <source>0 to have it chosen, or up to 0.005</source>
+        <translation>seçilmesi için 0 ya da en çok 0,005</translation>
+    </message>
+    <message>
         <source>1 hole</source>
         <translation>1 delik</translation>
     </message>
@@ -272,12 +292,28 @@
         <translation>kendini kesmeyen kapalı bir yüzey: neredeyse değen parçalar bunun yerine kaynaştırılır</translation>
     </message>
     <message>
+        <source>a linear solid in a pair of body_pairs</source>
+        <translation>body_pairs çiftlerinden birinde bir doğrusal dolu cisim</translation>
+    </message>
+    <message>
+        <source>a linear solid under its response</source>
+        <translation>yanıtıyla çözülen bir doğrusal dolu cisim</translation>
+    </message>
+    <message>
+        <source>a list of 2 whole numbers from 0 to %1</source>
+        <translation>0 ile %1 arası 2 tam sayıdan bir liste</translation>
+    </message>
+    <message>
         <source>a name of 1 to %1 bytes</source>
         <translation>1 ile %1 bayt arası bir ad</translation>
     </message>
     <message>
         <source>a part named %1</source>
         <translation>%1 adlı bir parça</translation>
+    </message>
+    <message>
+        <source>a positive number for tissues without a modulus of their own</source>
+        <translation>kendi modülü olmayan dokular için artı bir sayı</translation>
     </message>
     <message>
         <source>a solid</source>
@@ -288,6 +324,14 @@
         <translation>tek yüzlü bir yüzey</translation>
     </message>
     <message>
+        <source>a tissue of another law: a file's linear solids are solved by their response, which other bodies cannot touch</source>
+        <translation>başka yasadan bir doku: bir dosyanın doğrusal dolu cisimleri, başka cisimlerin değemeyeceği yanıtlarıyla çözülür</translation>
+    </message>
+    <message>
+        <source>at least %1 mm between them at rest, half of the thickness: move one of them</source>
+        <translation>durgunken aralarında en az %1 mm, kalınlığın yarısı: birini kaydırın</translation>
+    </message>
+    <message>
         <source>at least one that they are taken from</source>
         <translation>çıkarılacakları en az bir parça</translation>
     </message>
@@ -296,8 +340,24 @@
         <translation>en çok %1: daha azını seçin</translation>
     </message>
     <message>
+        <source>bodies %1 and %2 again</source>
+        <translation>yeniden %1 ve %2 numaralı cisimler</translation>
+    </message>
+    <message>
+        <source>body %1</source>
+        <translation>%1 numaralı cisim</translation>
+    </message>
+    <message>
+        <source>body %1 with itself</source>
+        <translation>%1 numaralı cismin kendisiyle çifti</translation>
+    </message>
+    <message>
         <source>did not open %1, which lies outside of its folder</source>
         <translation>klasörünün dışında kalan %1 açılmadı</translation>
+    </message>
+    <message>
+        <source>each pair once</source>
+        <translation>her çiftten bir tane</translation>
     </message>
     <message>
         <source>faces at %1 degrees to each other, where %2 are needed</source>
@@ -312,8 +372,20 @@
         <translation>organı kendi dörtyüzlüleri doldurur, yüzler arasındaki en küçük açı %1 derecedir</translation>
     </message>
     <message>
+        <source>none, which came with version 6</source>
+        <translation>hiç; 6 numaralı sürümle geldi</translation>
+    </message>
+    <message>
         <source>nothing that is left of the parts</source>
         <translation>parçalardan geriye hiçbir şey kalmaması</translation>
+    </message>
+    <message>
+        <source>one in a file of version %1</source>
+        <translation>%1 sürümündeki bir dosyada bir tane</translation>
+    </message>
+    <message>
+        <source>one of the %1 bodies, counted from 0</source>
+        <translation>0'dan sayılan %1 cisimden biri</translation>
     </message>
     <message>
         <source>parts that are all taken away</source>
@@ -326,6 +398,10 @@
     <message>
         <source>parts that touch along an edge or in a vertex without crossing there</source>
         <translation>kesişmeden bir kenarda ya da köşede değen parçalar</translation>
+    </message>
+    <message>
+        <source>reference, or a tissue of another law, for a body of body_pairs: contacts with other bodies are not solved with a precomputed response</source>
+        <translation>body_pairs içindeki bir cisim için reference ya da başka yasadan bir doku: başka cisimlerle temaslar önceden hesaplanmış bir yanıtla çözülmez</translation>
     </message>
     <message>
         <source>shells that are apart, or cross</source>
@@ -388,8 +464,20 @@
         <translation>%1 tane var, bir organda %2 ile %3 arası olur</translation>
     </message>
     <message>
+        <source>two bodies, or one that may_fold</source>
+        <translation>iki cisim ya da katlanabilen (may_fold) bir cisim</translation>
+    </message>
+    <message>
         <source>united parts with %1</source>
         <translation>%1 bulunan birleşik parçalar</translation>
+    </message>
+    <message>
+        <source>vertex %1 of body %2 %3 mm from body %4</source>
+        <translation>%2 numaralı cismin %1 numaralı köşesi, %4 numaralı cismin %3 mm uzağında</translation>
+    </message>
+    <message>
+        <source>vertex %1 of body %2 %3 mm inside of body %4</source>
+        <translation>%2 numaralı cismin %1 numaralı köşesi, %4 numaralı cismin %3 mm içinde</translation>
     </message>
     <message>
         <source>voxels of %1 mm are not those of a clinical scan: is the unit another?</source>
