@@ -65,7 +65,14 @@ from palpate_editor._authoring import (
     wrap_surface,
     write_mesh,
 )
-from palpate_editor.formats import build_words, find_format, find_missing, open_plain
+from palpate_editor.formats import (
+    MEMORY_LIMIT,
+    TIME_LIMIT,
+    build_words,
+    find_format,
+    find_missing,
+    open_plain,
+)
 
 __all__ = [
     "MEMORY_LIMIT",
@@ -116,12 +123,6 @@ __all__ = [
 
 READER = Path(_authoring.__file__).with_name("palpate-read-mesh")
 """The program that reads foreign files, in a process of its own so that none can do harm."""
-
-TIME_LIMIT = 10.0
-"""[s] a file may take to read before its reader is stopped."""
-
-MEMORY_LIMIT = 1_500_000_000
-"""[bytes] the reader may use."""
 
 
 def read_mesh(

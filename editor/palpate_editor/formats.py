@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which program reads a mesh file: by its extension, and by its content where that says more.
 
-palpate-read-mesh reads what assimp knows, and OBJ, STL, PLY and OFF. All else is read by a Python
+palpate-read-mesh reads what assimp knows, and OBJ, STL, PLY and OFF; a glTF that is packed is
+unpacked for it before. All else is read by a Python
 that imports nothing from where the user stands, limits its memory and time, opens nothing but the
 file (and, where files of the format name others, those beside it), and writes what it found in the
 words of palpate-read-mesh (core/authoring/scene_stream.h). This module only says how it is started:
@@ -12,6 +13,7 @@ from __future__ import annotations
 
 import os
 import re
+import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib.util import find_spec
@@ -23,7 +25,7 @@ from palpate.files.whole_file import write_whole
 from palpate.system.isolated import build_isolated
 
 from palpate_editor.formats_child.packed import unpack
-from palpate_editor.formats_child.scene import Refusal
+from palpate_editor.formats_child.scene import Refusal, decode_refusal
 
 PROGRAM = ("obj", "stl", "ply", "off", "glb", "gltf", "3ds", "fbx", "dae", "x3d", "3mf", "amf",
            "ac", "x", "lwo")  # fmt: skip
@@ -82,8 +84,18 @@ VOLUMES = ("vti", "nii", "gz", "nrrd", "nhdr", "mha", "mhd", "dcm")
 """Extensions of voxels, of which a surface is yet to be cut."""
 AMBIGUOUS = ("MSH", "MEDIT", "GAMBIT", "ABAQUS", "CARP", "NASTRAN")
 """Formats whose extensions are those of others as well."""
-PACKAGES = {"vtkmodules": "vtk", "numpy": "numpy"}
+PACKAGES = {"vtkmodules": "vtk", "numpy": "numpy", "DracoPy": "DracoPy"}
 """Module -> the package that has it."""
+PACKED = {b"KHR_draco_mesh_compression": "DracoPy", b"KHR_mesh_quantization": "numpy"}
+"""Extension of glTF that packs meshes in ways that assimp misreads -> module that unpacks it."""
+MOST_TEXT = 100_000_000
+"""[bytes] Of a glTF, among which the names of its extensions are looked for."""
+MEMORY_LIMIT = 1_500_000_000
+"""[bytes] A reader may use."""
+TIME_LIMIT = 10.0
+"""[s] A file may take to read before its reader is stopped."""
+PATIENCE = 6.0
+"""[-] How much longer than its processor time it may take on a clock."""
 
 CHILD = Path(__file__).parent / "formats_child" / "child.py"
 
@@ -157,12 +169,17 @@ def build_words(form: str | None) -> list[str] | None:
     module = find_needed(form)
     if module is None:
         return None
+    return build_isolated(CHILD, find_folders(module))
+
+
+def find_folders(module: str) -> str:
+    """Where a reader's modules are."""
     folders = []
     for name in ("palpate_editor", module, "numpy"):
         found = find_spec(name)
         if found is not None and found.origin is not None:
             folders.append(str(Path(found.origin).parent.parent))
-    return build_isolated(CHILD, os.pathsep.join(dict.fromkeys(folders)))
+    return os.pathsep.join(dict.fromkeys(folders))
 
 
 # ---------------------------------------------------------------- packed files
@@ -177,7 +194,8 @@ def open_plain(path: Path) -> Iterator[Path]:
     form = None if is_packed or find_named(path) is not None else find_format(path)
     is_renamed = form is not None and form.lower() in PROGRAM
     if not is_packed and not is_renamed:
-        yield path
+        with open_gltf(path) as plain:
+            yield plain
         return
     with TemporaryDirectory(prefix="palpate-mesh-") as folder, naming(path):
         if is_renamed:
@@ -186,7 +204,59 @@ def open_plain(path: Path) -> Iterator[Path]:
         else:
             plain = Path(folder) / path.with_suffix("").name
             write_unpacked(path, plain)
+        with open_gltf(plain) as gltf:
+            yield gltf
+
+
+@contextmanager
+def open_gltf(path: Path) -> Iterator[Path]:
+    """The file itself, or a plain .glb of what a .glb or .gltf has packed, for as long as this is
+    open. Raises FileError."""
+    module = find_unpacker(path)
+    if module is None:
+        yield path
+        return
+    if find_spec(module) is None:
+        got = f"meshes that the package {PACKAGES[module]} unpacks, and it is not there"
+        need = "that package: pip install palpate-editor[formats]"
+        raise FileError(str(path), "", got, need)
+    with TemporaryDirectory(prefix="palpate-mesh-") as folder, naming(path):
+        plain = Path(folder) / f"{path.stem}.glb"
+        write_whole(plain, run_unpacker(path, module))
         yield plain
+
+
+def find_unpacker(path: Path) -> str | None:
+    """The module that unpacks the meshes of a glTF; None where they are plain, and of all else."""
+    if path.suffix.lower() not in (".glb", ".gltf"):
+        return None
+    try:
+        with path.open("rb") as file:
+            head = file.read(20)
+            size = int.from_bytes(head[12:16], "little") if head[:4] == b"glTF" else MOST_TEXT
+            text = head + file.read(min(size, MOST_TEXT))
+    except OSError:
+        return None
+    return next((module for name, module in PACKED.items() if name in text), None)
+
+
+def run_unpacker(path: Path, module: str) -> bytes:
+    """What a Python of its own makes of it. Raises FileError."""
+    words = build_isolated(CHILD, find_folders(module), path, "PACKED_GLTF")
+    limits = [str(MEMORY_LIMIT), str(int(TIME_LIMIT))]
+    wanted = "a glTF that is whole"
+    try:
+        child = subprocess.run([*words, *limits], stdin=subprocess.DEVNULL, capture_output=True,
+                               check=False, timeout=PATIENCE * TIME_LIMIT)  # fmt: skip
+    except subprocess.TimeoutExpired:
+        raise FileError(str(path), "", "meshes that take too long to unpack", wanted) from None
+    refusal = decode_refusal(child.stdout)
+    if refusal is not None:
+        raise FileError(str(path), *refusal)
+    if child.returncode != 0 or not child.stdout:
+        got = f"meshes that end what unpacks them ({child.returncode})"
+        raise FileError(str(path), "", got, wanted)
+    return child.stdout
 
 
 @contextmanager

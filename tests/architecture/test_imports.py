@@ -84,6 +84,7 @@ ARROWS = {
         "PIL",
         "numpy",
         "vtkmodules",
+        "DracoPy",
     ),
     "editor/palpate_editor/scan": (
         "palpate_editor.scan",

@@ -31,11 +31,13 @@ READERS = {
     "GAMBIT": ("read_gambit", "read_gambit"),
     "UCD": ("read_gambit", "read_ucd"),
     "VRML": ("read_vrml", "read_vrml"),
+    "PACKED_GLTF": ("unpack_gltf", "unpack_gltf"),
 }
-"""Format -> module and function that read it; VTK reads all others."""
+"""Format -> module and function that read it; VTK reads all others. The last one's answer is a file
+that another program reads."""
 
 
-FOLLOWS = ("TETGEN", "VEGA", "CARP", "VTM", "XDMF")
+FOLLOWS = ("TETGEN", "VEGA", "CARP", "VTM", "XDMF", "PACKED_GLTF")
 """Formats whose files name others, which lie beside or below them."""
 
 
@@ -67,7 +69,8 @@ def main(folders: str, path: str, form: str, memory: str, seconds: str) -> int:
     folders_read = [os.path.dirname(os.path.abspath(path))] if form in FOLLOWS else []
     confine(path, [*libraries, *folders_read], int(memory), int(seconds))
     try:
-        answer = encode_scene(read(path))
+        found = read(path)
+        answer = found if isinstance(found, bytes) else encode_scene(found)
     except Refusal as refusal:
         answer = encode_refusal(refusal)
     except MemoryError:

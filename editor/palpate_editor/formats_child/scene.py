@@ -140,6 +140,19 @@ def encode_refusal(refusal: Refusal) -> bytes:
     return b"".join([MAGIC, struct.pack("<I", REFUSAL), *map(encode_text, texts), MAGIC])
 
 
+def decode_refusal(answer: bytes) -> tuple[str, str, str] | None:
+    """Where, what was found and what was expected; None of an answer that is none."""
+    head = MAGIC + struct.pack("<I", REFUSAL)
+    if not answer.startswith(head):
+        return None
+    texts, at = [], len(head)
+    for _ in range(3):
+        (size,) = struct.unpack_from("<I", answer, at)
+        texts.append(answer[at + 4 : at + 4 + size].decode(errors="replace"))
+        at += 4 + size
+    return texts[0], texts[1], texts[2]
+
+
 def cut_filling(vertices: np.ndarray, cells: np.ndarray) -> Filling:
     """The vertices that some tetrahedra use, in the order of the file; each tetrahedron the right
     way round. Raises Refusal for a corner that there is no vertex for."""

@@ -3456,6 +3456,90 @@
         <translation>bütün bir dosya</translation>
     </message>
     <message>
+        <source>%1, as places</source>
+        <translation>%1, konumlar kadar</translation>
+    </message>
+    <message>
+        <source>Draco, or vertices as plain numbers</source>
+        <translation>Draco ya da düz sayı olarak köşeler</translation>
+    </message>
+    <message>
+        <source>a buffer&apos;s %1</source>
+        <translation>bir tampondaki %1</translation>
+    </message>
+    <message>
+        <source>a bufferView&apos;s %1</source>
+        <translation>bir bufferView içindeki %1</translation>
+    </message>
+    <message>
+        <source>a file beside it</source>
+        <translation>yanındaki bir dosya</translation>
+    </message>
+    <message>
+        <source>a glTF</source>
+        <translation>bir glTF</translation>
+    </message>
+    <message>
+        <source>a glTF that is whole</source>
+        <translation>eksiksiz bir glTF</translation>
+    </message>
+    <message>
+        <source>a glTF&apos;s object</source>
+        <translation>bir glTF nesnesi</translation>
+    </message>
+    <message>
+        <source>a list of objects</source>
+        <translation>nesnelerin listesi</translation>
+    </message>
+    <message>
+        <source>a mesh packed by Draco</source>
+        <translation>Draco ile sıkıştırılmış bir ağ</translation>
+    </message>
+    <message>
+        <source>at most %1 MB</source>
+        <translation>en çok %1 MB</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>veri</translation>
+    </message>
+    <message>
+        <source>indices and values</source>
+        <translation>sıra numaraları ve değerler</translation>
+    </message>
+    <message>
+        <source>meshes that end what unpacks them (%1)</source>
+        <translation>açan programı sonlandıran ağlar (%1)</translation>
+    </message>
+    <message>
+        <source>meshes that take too long to unpack</source>
+        <translation>açılması çok uzun süren ağlar</translation>
+    </message>
+    <message>
+        <source>meshes that the package %1 unpacks, and it is not there</source>
+        <translation>%1 paketinin açtığı ağlar; bu paket kurulu değil</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>konumlar</translation>
+    </message>
+    <message>
+        <source>places of vertices</source>
+        <translation>köşelerin konumları</translation>
+    </message>
+    <message>
+        <source>rows of %1</source>
+        <translation>%1 sayılık satırlar</translation>
+    </message>
+    <message>
+        <source>vectors of plain numbers</source>
+        <translation>düz sayılardan vektörler</translation>
+    </message>
+    <message>
+        <source>what it says it has</source>
+        <translation>içinde olduğunu söylediği şey</translation>
+    </message>
+    <message>
         <source>an element of Netgen</source>
         <translation>bir Netgen elemanı</translation>
     </message>
