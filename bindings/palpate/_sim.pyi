@@ -3056,14 +3056,34 @@ class BodyPair:
         """The value on one line."""
 
 class RigidBody:
-    """What moves and keeps its shape, a stone for one: a hull of spheres. Not simulated yet:
+    """What moves and keeps its shape, a stone for one. Instruments touch its mesh; tissues,
+    scenery and other rigid bodies its spheres, which lie in that. Not simulated yet:
     build_scene refuses it.
     """
-    def __init__(self) -> None:
-        """Every field at its first value."""
+    def __init__(
+        self,
+        sphere_centres: ArrayLike,
+        sphere_radii: ArrayLike,
+        *,
+        mass: float = ...,
+        inertia: ArrayLike = ...,
+        position: ArrayLike = ...,
+        orientation: ArrayLike = ...,
+        mesh: SurfaceMesh = ...,
+        friction: float = ...,
+        stiffness: float = ...,
+        contact_stiffness: float = ...,
+    ) -> None:
+        """Copies what it is given.
+
+        Arguments are the fields of these names, with their shapes and units.
+        """
+    @property
+    def mesh(self) -> SurfaceMesh:
+        """[m] in its own frame; build_scene makes that of the spheres if empty."""
     @property
     def sphere_centres(self) -> NDArray[np.float64]:
-        """[m] in its own frame, shape (k, 3); a view."""
+        """[m] in its own frame, whose origin is its centre of mass, shape (k, 3); a view."""
     @property
     def sphere_radii(self) -> NDArray[np.float64]:
         """[m] shape (k,); a view."""
@@ -3082,11 +3102,21 @@ class RigidBody:
     @property
     def orientation(self) -> NDArray[np.float64]:
         """[-] of its frame, at the start: unit quaternion (x, y, z, w), shape (4,); a view."""
+    friction: float
+    """[-] Coulomb's coefficient on tissue, scenery and other rigid bodies; instruments have
+    their own.
+    """
+    stiffness: float
+    """[N/m³] of its spheres on tissue."""
+    contact_stiffness: float
+    """[N/m] of each sphere on what is hard, and of instruments."""
     def __copy__(self) -> RigidBody:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> RigidBody:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -3113,18 +3143,49 @@ class RigidState:
         """[rad/s]; shape (3,), a view."""
     @angular_velocity.setter
     def angular_velocity(self, value: ArrayLike) -> None: ...
+    @property
+    def tissue_force(self) -> NDArray[np.float64]:
+        """[N] that all tissues push it with, mean of the last tick. Shape (3,), a view."""
+    @tissue_force.setter
+    def tissue_force(self, value: ArrayLike) -> None: ...
+    @property
+    def instrument_force(self) -> NDArray[np.float64]:
+        """[N] that all instruments push it with, mean of the last tick. Shape (3,), a view."""
+    @instrument_force.setter
+    def instrument_force(self, value: ArrayLike) -> None: ...
     def __copy__(self) -> RigidState:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> RigidState:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class Fluid:
+    """What rigid bodies are in where nothing else is: water that irrigates, for one."""
+    def __init__(self, density: float = ..., viscosity: float = ...) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    density: float
+    """[kg/m³] of buoyancy and drag; 0: none."""
+    viscosity: float
+    """[Pa s] of drag."""
+    def __copy__(self) -> Fluid:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> Fluid:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
 
 class Scenery:
-    """What never moves, a bone or a table for one. Not simulated yet: build_scene refuses it."""
-    def __init__(self, mesh: SurfaceMesh) -> None:
+    """What never moves, a bone or a table for one. Neither instruments pass it, nor the bodies
+    that it lists.
+    """
+    def __init__(
+        self, mesh: SurfaceMesh, bodies: ArrayLike = ..., *, friction: float = ...
+    ) -> None:
         """Copies its mesh.
 
         Arguments are the fields of these names, with their shapes and units.
@@ -3132,14 +3193,49 @@ class Scenery:
     @property
     def mesh(self) -> SurfaceMesh:
         """[m] in the scene's frame; read-only."""
+    @property
+    def bodies(self) -> NDArray[np.int32]:
+        """Of Scene.bodies: those that stop at it; others pass through. Shape (k,), a view."""
+    friction: float
+    """[-] Coulomb's coefficient of these on it; 0: they slide."""
     def __copy__(self) -> Scenery:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Scenery:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
+
+class SceneryContact:
+    """How a body of a running scene stops at a scenery, after every tick."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def scenery(self) -> int:
+        """Of Scene.scenery."""
+    @property
+    def body(self) -> int:
+        """Of Scene.bodies."""
+    @property
+    def near(self) -> bool:
+        """Some of their surfaces may come to touch."""
+    @property
+    def touching(self) -> int:
+        """Vertices on it, in the body's last step."""
+    @property
+    def force(self) -> NDArray[np.float64]:
+        """[N] on the body, mean of the last tick. Shape (3,), a view."""
+    @force.setter
+    def force(self, value: ArrayLike) -> None: ...
+    def __copy__(self) -> SceneryContact:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> SceneryContact:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
 
 class Instrument:
     """A tool, and how the hand that moves it is coupled to it."""
@@ -3190,6 +3286,7 @@ class Scene:
         scenery: Sequence[Scenery] = ...,
         exchange_rate: float = ...,
         body_pairs: Sequence[BodyPair] = ...,
+        fluid: Fluid = ...,
     ) -> None:
         """Copies its parts: one body and one instrument unless others are given. build_scene
         makes it ready for ticks.
@@ -3211,6 +3308,8 @@ class Scene:
     @property
     def body_pairs(self) -> tuple:
         """Which bodies may touch each other, a tuple; each pair once."""
+    fluid: Fluid
+    """What the rigid bodies are in."""
     @property
     def gravity(self) -> NDArray[np.float64]:
         """[m/s²]; shape (3,), a view."""
@@ -3239,6 +3338,7 @@ class Scene:
         list[Scenery],
         float,
         list[BodyPair],
+        Fluid,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
@@ -3401,6 +3501,9 @@ class World:
     @property
     def body_pairs(self) -> tuple:
         """As Scene.body_pairs, a tuple; read-only."""
+    @property
+    def scenery_contacts(self) -> tuple:
+        """As Scene.scenery, one for each body that it lists, a tuple; read-only."""
     def pair(self, instrument: int, body: int) -> object:
         """An instrument with a body; read-only."""
     @property

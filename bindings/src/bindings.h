@@ -29,6 +29,7 @@ void bind_tick(pybind11::module_& m);
 void bind_log(pybind11::module_& m);
 void bind_costs(pybind11::module_& m);
 void bind_scene(pybind11::module_& m);
+void bind_rigid(pybind11::module_& m);
 void bind_world(pybind11::module_& m);
 void bind_devices(pybind11::module_& m);
 void bind_safe_device(pybind11::module_& m);

@@ -173,52 +173,6 @@ void bind_body_pair(py::module_& m) {
   def_repr(pair, {"first", "second", "thickness", "stiffness", "damping"});
 }
 
-/// What build_scene refuses as yet.
-void bind_rigid(py::module_& m) {
-  py::class_<RigidBody> body(m, "RigidBody",
-                             "What moves and keeps its shape, a stone for one: a hull of spheres. "
-                             "Not simulated yet: build_scene refuses it.");
-  body.def(py::init<>());
-  def_view(body, "sphere_centres", &RigidBody::sphere_centres,
-           "[m] in its own frame, shape (k, 3); a view.");
-  def_table(body, "sphere_radii", &RigidBody::sphere_radii, "[m] shape (k,); a view.");
-  body.def_readwrite("mass", &RigidBody::mass, "[kg]");
-  def_vector(body, "inertia", &RigidBody::inertia, "[kg m²] about the axes of its frame.");
-  def_vector(body, "position", &RigidBody::position, "[m] of its frame, at the start.");
-  body.def_property_readonly(
-      "orientation",
-      [](const py::object& self) { return view_one(self.cast<RigidBody&>().orientation, self); },
-      "[-] of its frame, at the start: unit quaternion (x, y, z, w), shape (4,); a view.");
-  def_value(body, &RigidBody::sphere_centres, &RigidBody::sphere_radii, &RigidBody::mass,
-            &RigidBody::inertia, &RigidBody::position, &RigidBody::orientation);
-  def_repr(body, {"mass", "inertia", "position", "orientation"});
-
-  py::class_<RigidState> state(m, "RigidState",
-                               "Where a rigid body is and how it moves. Not simulated yet.");
-  state.def(py::init<>());
-  def_vector(state, "position", &RigidState::position, "[m] of its frame.");
-  state.def_property_readonly(
-      "orientation",
-      [](const py::object& self) { return view_one(self.cast<RigidState&>().orientation, self); },
-      "[-] of its frame: unit quaternion (x, y, z, w), shape (4,); a view.");
-  def_vector(state, "velocity", &RigidState::velocity, "[m/s]");
-  def_vector(state, "angular_velocity", &RigidState::angular_velocity, "[rad/s]");
-  def_value(state, &RigidState::position, &RigidState::orientation, &RigidState::velocity,
-            &RigidState::angular_velocity);
-  def_repr(state, {"position", "orientation", "velocity", "angular_velocity"});
-
-  py::class_<Scenery> scenery(m, "Scenery",
-                              "What never moves, a bone or a table for one. Not simulated yet: "
-                              "build_scene refuses it.");
-  scenery.def(py::init([](const SurfaceMesh& mesh) { return Scenery{mesh}; }), "mesh"_a,
-              "Copies its mesh.");
-  scenery.def_readonly("mesh", &Scenery::mesh, "[m] in the scene's frame; read-only.");
-  def_value(scenery, &Scenery::mesh);
-  def_summary(scenery, [](const Scenery& self) {
-    return write_text(self.mesh.triangles.size(), " triangles");
-  });
-}
-
 void bind_instrument(py::module_& m) {
   const Instrument usual;
   py::class_<Instrument> instrument(m, "Instrument",
@@ -250,11 +204,11 @@ void def_scene_pickle(py::class_<Scene>& scene) {
       [](const Scene& self) {
         return py::make_tuple(self.bodies, self.instruments, self.gravity, self.rate,
                               is_built(self), self.rigid, self.scenery, self.exchange_rate,
-                              self.body_pairs);
+                              self.body_pairs, self.fluid);
       },
       [](const py::tuple& packed) {
-        if (packed.size() != 9) {
-          refuse("pickle", std::to_string(packed.size()) + " members", "9, as this version has");
+        if (packed.size() != 10) {
+          refuse("pickle", std::to_string(packed.size()) + " members", "10, as this version has");
         }
         Scene made;
         made.bodies = packed[0].cast<std::vector<SoftBody>>();
@@ -265,6 +219,7 @@ void def_scene_pickle(py::class_<Scene>& scene) {
         made.scenery = packed[6].cast<std::vector<Scenery>>();
         made.exchange_rate = packed[7].cast<double>();
         made.body_pairs = packed[8].cast<std::vector<BodyPair>>();
+        made.fluid = packed[9].cast<Fluid>();
         return packed[4].cast<bool>() ? build_scene(std::move(made)) : made;
       }));
 }
@@ -286,7 +241,7 @@ void bind_scene_type(py::module_& m) {
   scene.def(py::init([](std::vector<SoftBody> bodies, std::vector<Instrument> instruments,
                         const Vec3& gravity, double rate, std::vector<RigidBody> rigid,
                         std::vector<Scenery> scenery, double exchange_rate,
-                        std::vector<BodyPair> body_pairs) {
+                        std::vector<BodyPair> body_pairs, const Fluid& fluid) {
               Scene made;
               made.rigid = std::move(rigid);
               made.scenery = std::move(scenery);
@@ -296,12 +251,13 @@ void bind_scene_type(py::module_& m) {
               made.rate = rate;
               made.exchange_rate = exchange_rate;
               made.body_pairs = std::move(body_pairs);
+              made.fluid = fluid;
               return made;
             }),
             py::kw_only(), "bodies"_a = usual.bodies, "instruments"_a = usual.instruments,
             "gravity"_a = usual.gravity, "rate"_a = usual.rate, "rigid"_a = usual.rigid,
             "scenery"_a = usual.scenery, "exchange_rate"_a = usual.exchange_rate,
-            "body_pairs"_a = usual.body_pairs,
+            "body_pairs"_a = usual.body_pairs, "fluid"_a = usual.fluid,
             "Copies its parts: one body and one instrument unless others are given. build_scene "
             "makes it ready for ticks.");
   def_elements(scene, "bodies", &Scene::bodies, "The tissues, a tuple.");
@@ -311,6 +267,7 @@ void bind_scene_type(py::module_& m) {
   def_elements(scene, "instruments", &Scene::instruments, "A tuple; each has a hand of its own.");
   def_elements(scene, "body_pairs", &Scene::body_pairs,
                "Which bodies may touch each other, a tuple; each pair once.");
+  scene.def_readwrite("fluid", &Scene::fluid, "What the rigid bodies are in.");
   def_vector(scene, "gravity", &Scene::gravity, "[m/s²]");
   scene.def_readwrite("rate", &Scene::rate, "[Hz]")
       .def_readwrite("exchange_rate", &Scene::exchange_rate,

@@ -116,6 +116,8 @@ void bind_world(py::module_& m) {
   def_elements(world, "pairs", &World::pairs,
                "Every instrument with every body, a tuple; read-only.");
   def_elements(world, "body_pairs", &World::body_pairs, "As Scene.body_pairs, a tuple; read-only.");
+  def_elements(world, "scenery_contacts", &World::scenery_contacts,
+               "As Scene.scenery, one for each body that it lists, a tuple; read-only.");
   world
       .def(
           "pair",

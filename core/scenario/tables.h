@@ -77,8 +77,8 @@ inline std::string name_far_compliance(std::size_t body) {
 /// not tables: content.cpp has them.
 template <class SomeScene, class Visit>
 void visit_tables(SomeScene& scene, Visit visit) {
-  auto& [bodies, rigid, scenery, instruments, body_pairs, gravity, rate, exchange_rate, identity] =
-      scene;
+  auto& [bodies, rigid, scenery, fluid, instruments, body_pairs, gravity, rate, exchange_rate,
+         identity] = scene;
   for (std::size_t b = 0; b < bodies.size(); ++b) visit_body(name_folder(b), bodies[b], visit);
 }
 

@@ -82,7 +82,10 @@ def checked() -> palpate.DeviceCheck:
 
 MADE: dict[str, Callable[[], object]] = {
     "SurfaceMesh": lambda: sheet(3, 0.02),
-    "Scenery": lambda: palpate.Scenery(sheet(3, 0.02)),
+    "Scenery": lambda: palpate.Scenery(sheet(3, 0.02), [0], friction=0.1),
+    "RigidBody": lambda: palpate.RigidBody(
+        [(0, 0, 0), (1e-3, 0, 0)], [2e-3, 1e-3], mass=1e-3, inertia=(1e-9, 2e-9, 3e-9)
+    ),
     "Topology": lambda: palpate.build_topology(sheet(3, 0.02).triangles),
     "SolidMesh": lambda: SOLID,
     "Links": lambda: chain(4).springs,

@@ -6,6 +6,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/collision/private/nearest.h"
+#include "palpate/sim/collision/private/touching_surface.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/tree/aabb_tree.h"
@@ -70,8 +71,10 @@ double average_side(const TissueModel& tissue) {
 /// A surface at rest. Open ones have no inside.
 struct RestSurface {
   explicit RestSurface(const TissueModel& tissue)
-      : triangles(tissue.triangles),
-        x(compute_surface(tissue, tissue.rest_position)),
+      : RestSurface(compute_surface(tissue, tissue.rest_position), tissue.triangles) {}
+  RestSurface(Vec3Array vertices, std::vector<Triangle> its_triangles)
+      : triangles(std::move(its_triangles)),
+        x(std::move(vertices)),
         tree(x, triangles),
         closed(is_closed(triangles)) {}
 
@@ -169,6 +172,30 @@ Nearest find_nearest_at_rest(const TissueModel& first, const TissueModel& second
     }
   }
   return nearest;
+}
+
+Nearest find_deepest_at_rest(const TissueModel& tissue, const SurfaceMesh& mesh) {
+  constexpr double kRounding = 1e-9;  // [m]
+  const std::vector<double> inverse_mass = SurfaceTouch(tissue).inverse_mass;
+  const auto is_held = [&](int v) { return inverse_mass[static_cast<std::size_t>(v)] == 0.0; };
+  Nearest deepest{0.0, -1, true};
+  const RestSurface body(tissue), hard(mesh.vertices, mesh.triangles);
+  for (std::size_t v = 0; v < body.x.size(); ++v) {
+    if (is_held(static_cast<int>(v))) continue;
+    const double gap = hard.measure_gap(body.x[v], kRounding);
+    if (gap < deepest.gap) deepest = {gap, static_cast<int>(v), true};
+  }
+  for (std::size_t v = 0; v < hard.x.size(); ++v) {
+    const double gap = body.measure_gap(hard.x[v], kRounding);
+    if (!(gap < deepest.gap)) continue;
+    const auto nearest = find_closest_point(body.tree, body.x, hard.x[v]);
+    if (std::ranges::any_of(tissue.triangles[static_cast<std::size_t>(nearest->triangle)],
+                            is_held)) {
+      continue;
+    }
+    deepest = {gap, static_cast<int>(v), false};
+  }
+  return deepest;
 }
 
 double estimate_modulus(const TissueModel& tissue) {

@@ -126,13 +126,18 @@ void list_vertex(std::size_t v, const Vec3& p, const AabbTree& tree, std::span<c
 
 SurfaceContacts::SurfaceContacts(const TissueModel& vertices, const TissueModel& triangles,
                                  bool same_in, const Barrier& barrier_in)
+    : SurfaceContacts(
+          SurfaceMesh{compute_surface(vertices, vertices.rest_position), vertices.triangles},
+          SurfaceMesh{compute_surface(triangles, triangles.rest_position), triangles.triangles},
+          barrier_in, same_in) {}
+
+SurfaceContacts::SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh& triangles,
+                                 const Barrier& barrier_in, bool same_in)
     : barrier(barrier_in),
       same(same_in),
       closed(is_closed(triangles.triangles)),
-      area(compute_vertex_areas(
-          {compute_surface(vertices, vertices.rest_position), vertices.triangles})),
-      on_border(
-          mark_border(triangles.triangles, static_cast<std::size_t>(surface_count(triangles)))),
+      area(compute_vertex_areas(vertices)),
+      on_border(mark_border(triangles.triangles, triangles.vertices.size())),
       found(triangles.triangles.size()) {
   const std::size_t count = area.size();
   if (same) exclude_rings(triangles.triangles, count, *this);

@@ -27,7 +27,9 @@ std::vector<double> invert_masses(const TissueModel& tissue) {
 
 }  // namespace
 
-SurfaceTouch::SurfaceTouch(const TissueModel& tissue) : inverse_mass(invert_masses(tissue)) {
+SurfaceTouch::SurfaceTouch(const TissueModel& tissue)
+    : SurfaceMotion(static_cast<std::size_t>(surface_count(tissue))),
+      inverse_mass(invert_masses(tissue)) {
   const std::size_t count = inverse_mass.size();
   corner.assign(count, {0, 0});
   for (std::size_t t = 0; t < tissue.triangles.size(); ++t) {
@@ -36,7 +38,6 @@ SurfaceTouch::SurfaceTouch(const TissueModel& tissue) : inverse_mass(invert_mass
                                                                   static_cast<int>(c)};
     }
   }
-  last.assign(count, Vec3::Zero());
   row.assign(count, 0.0);
   force.assign(count, Vec3::Zero());
   impulse.assign(count, Vec3::Zero());
@@ -45,16 +46,16 @@ SurfaceTouch::SurfaceTouch(const TissueModel& tissue) : inverse_mass(invert_mass
   load = Load(static_cast<int>(count));
 }
 
-void follow_move(std::span<const Vec3> x, SurfaceTouch& touch) noexcept {
+void follow_move(std::span<const Vec3> x, SurfaceMotion& motion) noexcept {
   double most = 0.0;
-  if (touch.has_last) {
+  if (motion.has_last) {
     for (std::size_t v = 0; v < x.size(); ++v) {
-      most = std::max(most, (x[v] - touch.last[v]).squaredNorm());
+      most = std::max(most, (x[v] - motion.last[v]).squaredNorm());
     }
   }
-  touch.move = std::sqrt(most);
-  std::ranges::copy(x, touch.last.begin());
-  touch.has_last = true;
+  motion.move = std::sqrt(most);
+  std::ranges::copy(x, motion.last.begin());
+  motion.has_last = true;
 }
 
 void write_load(SurfaceTouch& touch) noexcept {

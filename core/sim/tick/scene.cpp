@@ -18,6 +18,7 @@
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
+#include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
@@ -231,8 +232,7 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
 
 void refuse_rows(const std::string& field, std::size_t count) {
   if (count == 0) return;
-  refuse(field, static_cast<double>(count),
-         "none yet: only soft bodies and instruments are simulated");
+  refuse(field, static_cast<double>(count), "none yet: rigid bodies are not simulated");
 }
 
 /// Exchanges come every whole number of ticks, and no slower than the hand can be followed.
@@ -259,7 +259,6 @@ void validate(const Scene& scene) {
   }
   check_shapes(scene);
   refuse_rows("rigid", scene.rigid.size());
-  refuse_rows("scenery", scene.scenery.size());
   require_positive("rate [Hz]", scene.rate);
   check_exchange_rate(scene);
   if (!scene.gravity.allFinite()) refuse("gravity [m/s^2]", scene.gravity.norm(), "finite numbers");
@@ -394,6 +393,7 @@ Scene build_scene(Scene scene) {
   static std::atomic<std::uint64_t> built{0};
   validate(scene);
   build_body_pairs(scene);
+  check_scenery(scene);
   scene.identity = ++built;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Place place("bodies", b, scene.bodies.size());

@@ -85,20 +85,36 @@ struct Instrument {
   std::optional<Vec3> trocar = {};
 };
 
-/// What moves and keeps its shape, a stone for one: a hull of spheres. Not simulated yet.
+/// What moves and keeps its shape, a stone for one. Instruments touch its mesh;
+/// tissues, scenery and other rigid bodies its spheres, which lie in that. Not simulated yet.
 struct RigidBody {
-  Vec3Array sphere_centres;                         ///< [m] in its own frame, (k, 3)
+  SurfaceMesh mesh;  ///< [m] in its own frame; build_scene makes that of the spheres if empty
+  Vec3Array sphere_centres;  ///< [m] in its own frame, (k, 3); its centre of mass is the origin
   std::vector<double> sphere_radii;                 ///< [m] (k,), positive
   double mass = 0.0;                                ///< [kg], positive
   Vec3 inertia = Vec3::Zero();                      ///< [kg m²] about the axes of its frame
   Vec3 position = Vec3::Zero();                     ///< [m] of its frame, at the start
   Quaternion orientation = Quaternion::Identity();  ///< [-] of its frame, at the start
+  /// [-] Coulomb's coefficient on tissue, scenery and other rigid bodies; instruments have their
+  /// own
+  double friction = 0.3;
+  double stiffness = 3e7;             ///< [N/m³] k_A of its spheres on tissue [contact: law]
+  double contact_stiffness = 1000.0;  ///< [N/m] of each sphere on what is hard, and of instruments
 };
 static_assert(alignof(RigidBody) == 8);
 
-/// What never moves, a bone or a table for one. Not simulated yet.
+/// What never moves, a bone or a table for one. Neither instruments pass it, nor the bodies that it
+/// lists [contact: scenery].
 struct Scenery {
-  SurfaceMesh mesh;  ///< [m] in the scene's frame
+  SurfaceMesh mesh;         ///< [m] in the scene's frame
+  std::vector<int> bodies;  ///< of Scene::bodies: those that stop at it; others pass through
+  double friction = 0.0;    ///< [-] Coulomb's coefficient of these on it; 0: they slide
+};
+
+/// What rigid bodies are in where nothing else is: water that irrigates, for one.
+struct Fluid {
+  double density = 0.0;    ///< [kg/m³] of buoyancy and drag; 0: none
+  double viscosity = 0.0;  ///< [Pa s] of drag
 };
 
 /// Tissues and the instruments that touch them: all that a tick needs and never changes. Each
@@ -106,7 +122,8 @@ struct Scenery {
 struct Scene {
   std::vector<SoftBody> bodies = std::vector<SoftBody>(1);
   std::vector<RigidBody> rigid;  ///< build_scene refuses any: they are not simulated yet
-  std::vector<Scenery> scenery;  ///< likewise
+  std::vector<Scenery> scenery;
+  Fluid fluid;  ///< of the rigid bodies
   std::vector<Instrument> instruments = std::vector<Instrument>(1);
   std::vector<BodyPair> body_pairs;  ///< which bodies may touch each other; each pair once
   Vec3 gravity = Vec3::Zero();       ///< [m/s²]

@@ -17,7 +17,9 @@
 #include "palpate/sim/tick/private/move_tissue.h"
 #include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/sleep.h"
+#include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
+#include "palpate/sim/tick/private/touch_hard.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -58,7 +60,7 @@ Vec3 follow_hand(const Vec3& hand, double dt, const InstrumentState& instrument)
 }
 
 /// place_tool() with every tissue of the scene.
-bool place_among_bodies(const Vec3& hand, const Tool& tool, const World& world,
+bool place_among_bodies(const Vec3& hand, const Tool& tool, World& world,
                         ToolState& state) noexcept {
   if (state.placed) return true;
   state.position = hand;
@@ -66,6 +68,7 @@ bool place_among_bodies(const Vec3& hand, const Tool& tool, const World& world,
     return has_room(body.tree, surface_position(body), hand, tool, state.orientation,
                     state.jaw_angle);
   });
+  state.placed = state.placed && has_room_at_hard(world, hand, tool, state);
   return state.placed;
 }
 
@@ -99,6 +102,7 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
       find_touchable(scene, i, b, motion.hand, world);
       watch.add_to(world.costs.pairs[i * world.bodies.size() + b].candidates);
     }
+    find_touchable_hard(scene, i, motion.hand, world);
     if (!instrument.tool.jaws) follow_button(scene, i, sample.buttons, dt, world);
   }
   // a tool that has just appeared may touch already, and nothing is known of what that stores
@@ -178,6 +182,7 @@ void move_bodies(const Scene& scene, double dt, int s, int finest, World& world)
       mean.take(substeps_per_step, state.load);
     }
     workspace(world).work[b] += move_tissue(scene, b, dt / state.substeps, s + 1 == finest, world);
+    stop_at_scenery(scene, b, dt / state.substeps, state.substeps, world);
     watch.add_to(world.costs.bodies[b].step);
   }
 }
@@ -188,6 +193,7 @@ void move_bodies(const Scene& scene, double dt, int s, int finest, World& world)
 void run_substeps(const Scene& scene, double dt, int finest, World& world) noexcept {
   std::ranges::fill(workspace(world).work, 0.0);
   for (HandMotion& motion : workspace(world).hands) motion.felt.setZero();
+  begin_stopping(world);
   for (int s = 0; s < finest; ++s) {
     balance_instruments(scene, world);
     touch_bodies(scene, s, finest, dt / finest, world);
@@ -309,9 +315,11 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
   const std::size_t instruments = world.instruments.size();
   calm_down(scene, dt, world);
   meet_bodies(world);
+  meet_scenery(world);
   follow_bodies(scene, world);
   for (std::size_t i = 0; i < instruments; ++i) read_hand(scene, samples[i], dt, i, world);
   find_body_contacts(scene, dt, world);
+  find_scenery_contacts(scene, world);
   const int chosen = choose_substeps(scene, dt, world);
   wake_bodies(dt, world);
   begin_bodies(scene, world);

@@ -11,7 +11,9 @@
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/linear_tick.h"
+#include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
+#include "palpate/sim/tick/private/touch_hard.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -95,6 +97,9 @@ int count_pushes(const Scene& scene, const SoftBody& body) noexcept {
 int count_triangles(const Scene& scene) noexcept {
   int count = 0;
   for (const SoftBody& body : scene.bodies) count += count_triangles(body);
+  for (const Scenery& scenery : scene.scenery) {
+    count += static_cast<int>(scenery.mesh.triangles.size());
+  }
   return count;
 }
 
@@ -214,7 +219,9 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
     const bool has_jaws = scene.instruments[p / bodies.size()].tool.jaws.has_value();
     if (has_jaws) workspace(*this).second[p] = pairs[p].candidates;
   }
+  build_hard_surfaces(scene, *this);
   build_body_contacts(scene, *this);
+  build_scenery_contacts(scene, *this);
 }
 
 TickBuffers::TickBuffers(const World& world)
@@ -240,7 +247,7 @@ std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t in
   std::vector<TouchedSurface>& surfaces = workspace(world).surfaces;
   std::vector<const NearContacts*>& others = workspace(world).others;
   const std::size_t count = world.instruments.size() - 1;
-  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     ContactPair& pair = world.pair(instrument, b);
     const auto from = others.begin() + static_cast<std::ptrdiff_t>(b * count);
     for (std::size_t i = 0, at = b * count; i <= count; ++i) {
@@ -258,6 +265,7 @@ std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t in
       surfaces[b].wall_modulus = body.near_field->modulus;
     }
   }
+  list_hard_surfaces(instrument, 0, world, std::span(surfaces).subspan(world.bodies.size()));
   return surfaces;
 }
 
@@ -266,10 +274,11 @@ std::array<std::span<const TouchedSurface>, 2> list_jaw_surfaces(const Scene& sc
                                                                  World& world) noexcept {
   const std::span<const TouchedSurface> first = list_surfaces(scene, instrument, world);
   std::vector<TouchedSurface>& surfaces = workspace(world).second_surfaces;
-  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     surfaces[b] = first[b];
     surfaces[b].candidates = &second_jaw(world, instrument, b);
   }
+  list_hard_surfaces(instrument, 1, world, std::span(surfaces).subspan(world.bodies.size()));
   return {first, surfaces};
 }
 

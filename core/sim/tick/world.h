@@ -78,6 +78,10 @@ struct RigidState {
   Quaternion orientation = Quaternion::Identity();  ///< [-] of its frame
   Vec3 velocity = Vec3::Zero();                     ///< [m/s]
   Vec3 angular_velocity = Vec3::Zero();             ///< [rad/s]
+
+  // [N] mean of the last tick
+  Vec3 tissue_force = Vec3::Zero();      ///< that all tissues push it with
+  Vec3 instrument_force = Vec3::Zero();  ///< that all instruments do
 };
 static_assert(alignof(RigidState) == 8);
 
@@ -112,6 +116,16 @@ struct BodyPairState {
 };
 static_assert(alignof(BodyPairState) == 8);
 
+/// How a body of a running scene stops at a scenery, after every tick.
+struct SceneryContact {
+  int scenery = 0;            ///< of Scene::scenery
+  int body = 0;               ///< of Scene::bodies
+  bool near = false;          ///< some of their surfaces may come to touch (meet_scenery)
+  int touching = 0;           ///< vertices on it, in the body's last step (stop_at_scenery)
+  Vec3 force = Vec3::Zero();  ///< [N] on the body, mean of the last tick (stop_at_scenery)
+};
+static_assert(alignof(SceneryContact) == 8);
+
 /// A running scene. Everything a tick needs is allocated here, once.
 struct World {
   /// Throws std::invalid_argument for a scene that is not from build_scene.
@@ -139,6 +153,8 @@ struct World {
   std::vector<InstrumentState> instruments;  ///< as Scene::instruments
   std::vector<ContactPair> pairs;            ///< every instrument with every body: pair()
   std::vector<BodyPairState> body_pairs;     ///< as Scene::body_pairs
+  /// As Scene::scenery, one for each body that it lists.
+  std::vector<SceneryContact> scenery_contacts;
 
   /// The first alarm; from then on forces fade and all tissue stands still (check_input,
   /// end_moving).

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "palpate/sim/collision/body_pair.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
@@ -25,6 +26,10 @@ struct Nearest {
 
 /// Looks no farther than `reach` [m] from the surfaces, and as deep as they go.
 Nearest find_nearest_at_rest(const TissueModel& first, const TissueModel& second, double reach);
+
+/// Where a tissue at rest is deepest in a mesh, or that in it; of_first where the vertex is the
+/// tissue's. Vertices that are held, and what lies in triangles that are, may be anywhere.
+Nearest find_deepest_at_rest(const TissueModel& tissue, const SurfaceMesh& mesh);
 
 /// Checks the constants of a pair, chooses those that are 0, and checks that the bodies do not
 /// begin deep in the barrier, which would fling them apart. Throws std::invalid_argument that

@@ -7,6 +7,7 @@
 
 #include "palpate/sim/collision/private/barrier.h"
 #include "palpate/sim/collision/private/touching_surface.h"
+#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/tree/aabb_tree.h"
 
@@ -29,6 +30,8 @@ struct SurfaceContacts {
   /// `triangles` of the second surface; `same` where it is the first as well.
   SurfaceContacts(const TissueModel& vertices, const TissueModel& triangles, bool same,
                   const Barrier& barrier);
+  SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh& triangles, const Barrier& barrier,
+                  bool same = false);
 
   // what never changes
   Barrier barrier;

@@ -10,8 +10,17 @@
 
 namespace palpate {
 
+/// How far a surface goes from tick to tick.
+struct SurfaceMotion {
+  explicit SurfaceMotion(std::size_t count = 0) : last(count, Vec3::Zero()) {}
+
+  Vec3Array last;         ///< [m] the surface at the last tick (follow_move)
+  bool has_last = false;  ///< `last` is of the tick before (follow_move)
+  double move = 0.0;      ///< [m] of any vertex since, at most (follow_move)
+};
+
 /// What is known within a tick of a surface that may touch others.
-struct SurfaceTouch {
+struct SurfaceTouch : SurfaceMotion {
   SurfaceTouch() = default;
   explicit SurfaceTouch(const TissueModel& tissue);
 
@@ -19,9 +28,6 @@ struct SurfaceTouch {
   std::vector<double> inverse_mass;        ///< [1/kg] per vertex; 0 of what is held
   std::vector<std::array<int, 2>> corner;  ///< per vertex: a triangle, and which of its corners
 
-  Vec3Array last;           ///< [m] the surface at the last tick (follow_move)
-  bool has_last = false;    ///< `last` is of the tick before (follow_move)
-  double move = 0.0;        ///< [m] of any vertex since, at most (follow_move)
   bool is_touched = false;  ///< something may touch it in this tick
   double stiffness = 0.0;  ///< [1/s²] that contacts add to the largest eigenvalue of M⁻¹K at most
   double approach = 0.0;     ///< [-] of a barrier's thickness, by which a gap closes in a tick
@@ -35,7 +41,7 @@ struct SurfaceTouch {
 };
 
 /// Measures how far a surface at x [m] has gone since this was called last.
-void follow_move(std::span<const Vec3> x, SurfaceTouch& touch) noexcept;
+void follow_move(std::span<const Vec3> x, SurfaceMotion& motion) noexcept;
 
 /// Makes the forces the pushes of the load, one on each vertex, and begins again.
 void write_load(SurfaceTouch& touch) noexcept;

@@ -80,4 +80,22 @@ void take_over(const PackedModel& model, const TissueModel& tissue, const State&
   packed.checked = true;
 }
 
+void take_over_particle(const PackedModel& model, const TissueModel& tissue, const State& state,
+                        std::size_t particle, PackedState& packed) noexcept {
+  const auto width = static_cast<std::size_t>(model.width);
+  const auto row = static_cast<std::size_t>(model.row[particle]);
+  const std::size_t lane = row % width, at = 3 * (row - lane) + lane;
+  const auto here = static_cast<std::size_t>(packed.current);
+  const Vec3 u = state.position[particle] - tissue.rest_position[particle];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const std::size_t to = at + k * width;
+    packed.displacement[to] = static_cast<float>(u[axis]);
+    packed.velocity[to] = static_cast<float>(state.velocity[particle][axis]);
+    packed.position_rows[here][4 * row + k] = model.rest[to] + packed.displacement[to];
+    if (packed.velocity_rows[0].empty()) continue;
+    packed.velocity_rows[here][4 * row + k] = packed.velocity[to];
+  }
+}
+
 }  // namespace palpate

@@ -30,4 +30,8 @@ void rewind(const PackedModel& model, const PackedCheckpoint& checkpoint,
 void take_over(const PackedModel& model, const TissueModel& tissue, const State& state,
                PackedState& packed) noexcept;
 
+/// The same for one particle, between two steps.
+void take_over_particle(const PackedModel& model, const TissueModel& tissue, const State& state,
+                        std::size_t particle, PackedState& packed) noexcept;
+
 }  // namespace palpate

@@ -101,7 +101,9 @@ bool is_near_alarm(const SoftBody& body, const SoftState& state) noexcept {
 void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t buttons, double dt,
                    World& world) noexcept {
   InstrumentState& state = world.instruments[instrument];
-  const Holding grip{scene.instruments[instrument], state, list_surfaces(scene, instrument, world)};
+  // nothing is fastened to what is hard
+  const Holding grip{scene.instruments[instrument], state,
+                     list_surfaces(scene, instrument, world).first(world.bodies.size())};
   const bool pressed = (buttons & kAttachButton) != 0;
   const bool holds = state.tool.hold_count > 0 && state.release_ticks == 0;
   if (holds && (!pressed || is_out_of_grip(grip) || holds_near_alarm(scene, world, grip))) {

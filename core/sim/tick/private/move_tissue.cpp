@@ -16,6 +16,7 @@
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 #include "palpate/sim/tick/private/safeguard.h"
+#include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
@@ -75,6 +76,9 @@ void list_near(const Moved& moved, NearList& near) noexcept {
   const auto index = static_cast<int>(moved.index);
   near.clear();
   for_each_touched_vertex(moved.scene, moved.index, moved.world, [&](int vertex) noexcept {
+    add_vertex(tissue, vertex, world.tick_count, near);
+  });
+  for_each_stopped_vertex(moved.scene, moved.index, moved.world, [&](int vertex) noexcept {
     add_vertex(tissue, vertex, world.tick_count, near);
   });
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {

@@ -218,12 +218,39 @@ struct InstrumentCheckpoint {
   int anchor_count = 0;                      ///< likewise
 };
 
+/// What an instrument may touch of a hard surface, and what it does to it.
+struct HardPair {
+  std::array<Candidates, 2> candidates;  ///< of the tool, or of each jaw (find_touchable_hard)
+  Load load;                             ///< of the last substep (balance_instruments)
+  std::vector<double> areas;  ///< [m²] per triangle, as stiff as what is hard; never changes
+};
+
 /// What may touch of two bodies, or of one with itself.
 struct BodyContacts {
   std::array<std::size_t, 2> bodies = {};  ///< of World::bodies; never change
   std::array<SurfaceContacts, 2> sides;  ///< vertices of the first on the second, and of it on that
   std::size_t side_count = 0;            ///< 1 of a body with itself
   double stored_energy = 0.0;  ///< [J] in the barrier, at the first substep (touch_bodies)
+};
+
+/// What is no tissue, as instruments touch it: a scenery, or the mesh of a rigid body.
+struct HardSurface {
+  explicit HardSurface(const SurfaceMesh& mesh) : x(mesh.vertices), tree(x, mesh.triangles) {}
+
+  Vec3Array x;  ///< [m] (move_rigid)
+  AabbTree tree;
+};
+
+/// What may come to touch of a body and a scenery that stops it.
+struct StopContacts {
+  SurfaceContacts on_scenery;  ///< vertices of the body
+  SurfaceContacts on_body;     ///< vertices of the scenery
+};
+
+/// A body that a scenery may stop.
+struct StoppedBody {
+  SurfaceMotion motion;
+  std::vector<double> inverse_mass;  ///< [1/kg] per particle, 0 of what is held; never changes
 };
 
 /// Buffers that live for one tick.
@@ -243,6 +270,10 @@ struct TickBuffers {
   std::vector<double> cost;            ///< of a substep of each, relative (choose_substeps)
   std::vector<BodyContacts> contacts;  ///< as Scene::body_pairs
   std::vector<SurfaceTouch> touched;   ///< per body; none without body_pairs
+  std::vector<StopContacts> stops;     ///< as World::scenery_contacts
+  std::vector<StoppedBody> stopped;    ///< per body; none without scenery_contacts
+  std::vector<HardSurface> hard;       ///< every scenery, then every rigid body
+  std::vector<HardPair> hard_pairs;    ///< every instrument with every one of these
 };
 
 inline TickBuffers& workspace(World& world) noexcept { return world.workspace_.get(); }
@@ -287,7 +318,8 @@ std::array<std::span<const TouchedSurface>, 2> list_jaw_surfaces(const Scene& sc
                                                                  std::size_t instrument,
                                                                  World& world) noexcept;
 
-/// The surfaces of all bodies, as this instrument touches them; until it is called again.
+/// The surfaces of all bodies, as this instrument touches them, and after these the hard ones;
+/// until it is called again.
 std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t instrument,
                                               World& world) noexcept;
 
