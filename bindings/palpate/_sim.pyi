@@ -5193,6 +5193,7 @@ class TaskMeasure(enum.Enum):
     speed = 5
     clearance = 6
     off_path = 7
+    strain = 8
 
 class LimitConsequence(enum.Enum):
     """What becomes of a limit that opens."""

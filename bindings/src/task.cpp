@@ -42,6 +42,8 @@ void bind_kinds(py::module_& m) {
       .value("speed", TaskMeasure::speed, "[m/s] of the tool, over 20 ms.")
       .value("clearance", TaskMeasure::clearance, "[m] from the tip's surface to a ball.")
       .value("off_path", TaskMeasure::off_path, "[m] from what is touched to a path.")
+      .value("strain", TaskMeasure::strain,
+             "[-] the largest principal one of what the tool touches or holds.")
       .finalize();
   py::native_enum<LimitConsequence>(m, "LimitConsequence", "enum.Enum",
                                     "What becomes of a limit that opens.")

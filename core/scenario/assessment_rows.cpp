@@ -26,7 +26,7 @@ constexpr std::array<std::pair<const char*, const char*>, 5> kVerbsToCome = {{
     {"inject", "there is no syringe"},
     {"cut", "there are no scissors"},
 }};
-constexpr std::array<std::pair<const char*, TaskMeasure>, 8> kMeasures = {{
+constexpr std::array<std::pair<const char*, TaskMeasure>, 9> kMeasures = {{
     {"force", TaskMeasure::force},
     {"force_rate", TaskMeasure::force_rate},
     {"contact", TaskMeasure::contact},
@@ -35,9 +35,10 @@ constexpr std::array<std::pair<const char*, TaskMeasure>, 8> kMeasures = {{
     {"speed", TaskMeasure::speed},
     {"clearance", TaskMeasure::clearance},
     {"path.off", TaskMeasure::off_path},
+    {"strain", TaskMeasure::strain},
 }};
 constexpr std::array<std::pair<const char*, const char*>, 8> kMeasuresToCome = {{
-    {"strain", "it is not measured in a tick"},
+    {"path.progress", "a step that traces asks for it"},
     {"volume", "there is no syringe"},
     {"cut.length", "there are no scissors"},
     {"cut.off", "there are no scissors"},

@@ -87,7 +87,7 @@ MUTATIONS = [
     lambda a: a["texts"]["en"].pop("touch"),
     lambda a: a.update(palpate_scenario=2),
     lambda a: a["parameters"]["press"].update(unit="kg"),
-    lambda a: a["limits"][0]["when"].update(measure="strain"),
+    lambda a: a["limits"][0]["when"].update(measure="volume"),
     lambda a: a["finish"].update(time_limit_s=0),
     lambda a: a["places"]["middle"].update(region="tissue/../../etc/passwd"),
     lambda a: a["places"].update({"../../x": {"region": "tissue/middle"}}),

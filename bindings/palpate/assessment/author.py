@@ -19,7 +19,10 @@ Json = dict[str, Any]
 VERBS = ("touch", "hold", "push", "pull", "grasp", "release", "trace", "find")
 HOLDING = ("grasp", "pull", "release")
 """Verbs whose tool must be a grasper."""
-MEASURES = ("force", "force_rate", "contact", "depth", "distance", "speed", "clearance", "path.off")
+MEASURES = (
+    *("force", "force_rate", "contact", "depth", "distance", "speed", "clearance", "path.off"),
+    "strain",
+)
 CONSEQUENCES = ("warn", "error", "end")
 USUAL: Mapping[str, Json] = {
     "touch": {},
@@ -34,7 +37,7 @@ USUAL: Mapping[str, Json] = {
 """What a new step of a verb asks for."""
 LIMIT_BOUNDS: Mapping[str, float] = {
     "force": 1.5, "force_rate": 20.0, "depth": 0.015, "distance": 0.02, "speed": 0.3,
-    "clearance": 0.005, "path.off": 0.008,
+    "clearance": 0.005, "path.off": 0.008, "strain": 0.4,
 }  # fmt: skip
 TIME_LIMIT = 60.0
 LANGUAGES = ("en", "tr")

@@ -25,11 +25,13 @@ LIMITS = {
         "force": "Too hard", "force_rate": "Too sudden", "contact": "Keep off: {place}",
         "depth": "Too deep", "distance": "Pulled too far", "speed": "Too fast",
         "clearance": "Too near: {place}", "path.off": "Off the line",
+        "strain": "Stretched too far",
     },
     "tr": {
         "force": "Çok sert", "force_rate": "Çok ani", "contact": "Değmeyin: {place}",
         "depth": "Çok derin", "distance": "Fazla çekildi", "speed": "Çok hızlı",
         "clearance": "Çok yakın: {place}", "path.off": "Çizgiden çıktınız",
+        "strain": "Fazla gerildi",
     },
 }  # fmt: skip
 BANDS = (("force_N", "N", 1.0), ("depth_m", "mm", 1e3), ("distance_m", "mm", 1e3))

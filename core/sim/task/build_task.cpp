@@ -139,7 +139,8 @@ void check_measure(const Task& task, std::size_t l) {
   const bool needs_ball = limit.measure == TaskMeasure::clearance;
   const bool needs_path = limit.measure == TaskMeasure::off_path;
   const bool needs = of_contact || needs_ball || needs_path;
-  const bool may = needs || limit.measure == TaskMeasure::force;
+  const bool may =
+      needs || limit.measure == TaskMeasure::force || limit.measure == TaskMeasure::strain;
   if (limit.place >= 0 && !may) refuse(where, "one", "none, for this is measured of the tool");
   if (!needs) return;
   check_index(where, limit.place, 0, task.places.size());

@@ -34,6 +34,8 @@ double Judgement::measure_limit(const TaskLimit& limit) const noexcept {
                                task_.tool_radii[i]);
     case TaskMeasure::off_path:
       return touches ? find_distance(place(limit.place), now.contact.at_rest) : 0.0;
+    case TaskMeasure::strain:
+      return find_strain(task_, world_, i, limit.place < 0 ? nullptr : &place(limit.place));
   }
   return 0.0;
 }

@@ -15,15 +15,6 @@ Vec3 weigh(std::span<const Vec3> table, const Triangle& t, const Vec3& weights) 
          weights[2] * table[static_cast<std::size_t>(t[2])];
 }
 
-/// Holds of a tool, those of one body or of all.
-std::span<const ToolState::Hold> list_holds(const ToolState& tool) noexcept {
-  return {tool.holds.data(), static_cast<std::size_t>(tool.hold_count)};
-}
-
-std::span<const ToolState::Anchor> list_anchors(const ToolState& tool) noexcept {
-  return {tool.anchors.data(), static_cast<std::size_t>(tool.anchor_count)};
-}
-
 /// Pushes of a load that are no contact's: of holds, or of what sticks to jaws.
 std::size_t count_holds(const ToolState& tool, std::size_t body) noexcept {
   std::size_t count = 0;
@@ -32,19 +23,6 @@ std::size_t count_holds(const ToolState& tool, std::size_t body) noexcept {
   }
   for (const ToolState::Hold& hold : list_holds(tool)) count += std::size_t(hold.body) == body;
   return count;
-}
-
-/// What an instrument did to a body in the last substep: contacts first, then a push of each hold.
-struct Pushes {
-  std::span<const Push> contacts, holds;
-};
-
-Pushes list_pushes(const World& world, std::size_t instrument, std::size_t body) noexcept {
-  const std::span<const Push> all = world.pair(instrument, body).load.pushes();
-  const InstrumentState& state = world.instruments[instrument];
-  const std::size_t holds = std::min(count_holds(state.tool, body), all.size());
-  const std::size_t contacts = all.size() - holds;
-  return {state.tool.touching ? all.first(contacts) : all.first(0), all.subspan(contacts)};
 }
 
 /// Takes what one body has into a mean over all.
@@ -182,6 +160,14 @@ double find_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
 }
 
 }  // namespace
+
+Pushes list_pushes(const World& world, std::size_t instrument, std::size_t body) noexcept {
+  const std::span<const Push> all = world.pair(instrument, body).load.pushes();
+  const InstrumentState& state = world.instruments[instrument];
+  const std::size_t holds = std::min(count_holds(state.tool, body), all.size());
+  const std::size_t contacts = all.size() - holds;
+  return {state.tool.touching ? all.first(contacts) : all.first(0), all.subspan(contacts)};
+}
 
 Measures measure_instrument(const Task& task, const World& world, std::size_t instrument,
                             const HapticSample& sample, const HapticCommand& command, double radius,

@@ -79,6 +79,7 @@ enum class TaskMeasure {
   speed,       ///< [m/s] of the tool, over 20 ms
   clearance,   ///< [m] from the tip's surface to a ball, where that is at rest; 0 inside
   off_path,    ///< [m] from what is touched to a path; 0 without contact
+  strain,  ///< [-] the largest principal one of what the tool touches or holds, there or anywhere
 };
 
 enum class LimitConsequence { warn, error, end };

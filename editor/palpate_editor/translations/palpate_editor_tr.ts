@@ -257,6 +257,10 @@
         <translation>Dur: aralığı al</translation>
     </message>
     <message>
+        <source>Strain</source>
+        <translation>Gerinim</translation>
+    </message>
+    <message>
         <source>Texts</source>
         <translation>Metinler</translation>
     </message>

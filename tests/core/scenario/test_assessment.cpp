@@ -43,7 +43,9 @@ const std::string kAssessment = R"({
              {"id": "near", "when": {"measure": "clearance", "place": "spot", "below": 0.01},
               "then": "end", "say": "go", "during": ["a"]},
              {"id": "astray", "when": {"measure": "path.off", "place": "line", "above": 0.01},
-              "then": "error", "say": "go", "during": ["g"]}],
+              "then": "error", "say": "go", "during": ["g"]},
+             {"id": "stretched", "when": {"measure": "strain", "place": "top", "above": 0.4},
+              "then": "error", "say": "go"}],
   "finish": {"time_limit_s": 90, "errors_at_most": 5},
   "goals": [{"metric": "time", "at_most": 30, "basis": {"kind": "designer"}}],
   "texts": {"en": {"title": "Every verb", "go": "Go"}, "tr": {"title": "Her fiil"}}
@@ -88,7 +90,8 @@ TEST_CASE("an assessment comes to the tables it stands for") {
   CHECK(traced.kind == PlaceKind::path);
   CHECK(traced.radius == 0.004);
   CHECK(steps[6].share == 0.9);
-  REQUIRE(drawn.task.limits.size() == 4);
+  REQUIRE(drawn.task.limits.size() == 5);
+  CHECK(drawn.task.limits[4].measure == TaskMeasure::strain);
   CHECK(drawn.task.limits[0].bound == 1.5);
   CHECK(drawn.task.limits[0].duration == 0.05);
   CHECK(drawn.task.limits[1].then == LimitConsequence::warn);
@@ -147,7 +150,7 @@ TEST_CASE("an assessment that cannot be judged is refused, with its place and wh
       {with(R"("do": "push")", R"("do": "cut")"), "there are no scissors"},
       {with(R"("do": "push")", R"("do": "look")"), "no camera that is judged"},
       {with(R"("do": "push")", R"("do": "shove")"), "one of touch, hold, push"},
-      {with(R"("measure": "force")", R"("measure": "strain")"), "it is not measured in a tick"},
+      {with(R"("measure": "force")", R"("measure": "volume")"), "there is no syringe"},
       {with(R"(["$press", 0.5])", R"(["$press", 0.1])"), "an empty band"},
       {with(R"(["$press", 0.5])", R"(["$pres", 0.5])"), "the name of a parameter"},
       {with(R"(["$press", 0.5])", R"([0.2, 0.5])"), "a parameter that nothing uses"},

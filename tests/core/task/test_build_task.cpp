@@ -112,7 +112,8 @@ TEST_CASE("judging ten thousand ticks of a press, a pull and its release allocat
   plan.steps.push_back({.verb = TaskVerb::trace, .place = 1, .force = {.least = 1e6}});
   plan.limits = {{.bound = 0.05},
                  {.measure = TaskMeasure::off_path, .place = 1, .bound = 1e-3},
-                 {.measure = TaskMeasure::contact, .place = 0}};
+                 {.measure = TaskMeasure::contact, .place = 0},
+                 {.measure = TaskMeasure::strain, .bound = 1e-3}};
   const Scene scene = sheet_scene();
   const Task task = build_task(scene, plan);
   World world(scene);
@@ -136,6 +137,7 @@ TEST_CASE("judging ten thousand ticks of a press, a pull and its release allocat
     held += world.instruments[0].tool.hold_count > 0;
     opened = progress.state.limits[0].count;
   }
+  CHECK(progress.state.limits[3].count > 5);
 
   CHECK_FALSE(world.alarm);
   CHECK(held > 1000);

@@ -215,6 +215,39 @@ TEST_CASE("depth, distance, clearance and the way off a path are measured") {
   CHECK(staged.limit(3).worst == doctest::Approx((off - off.dot(along) * along).norm()));
 }
 
+TEST_CASE("strain is the largest principal one of the triangles that the tool touches or holds") {
+  Task task = limited({.measure = TaskMeasure::strain, .bound = 0.25, .duration = 0.0});
+  task.limits.push_back(
+      {.measure = TaskMeasure::strain, .place = 1, .bound = 0.01, .duration = 0.0});
+  StagedWorld staged(task);
+  const Vec3Array& rest = staged.task.surfaces[0].vertices;
+  // along x by a third, along y to half, and turned about x: a turn strains nothing
+  const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3::UnitX()).toRotationMatrix();
+  Vec3Array& now = staged.world.bodies[0].tissue.position;
+  for (std::size_t v = 0; v < now.size(); ++v) {
+    now[v] = turn * rest[v].cwiseProduct(Vec3(4.0 / 3.0, 0.5, 1.0)) + Vec3(0.1, 0, 0);
+  }
+  staged.judge();
+  CHECK(staged.limit(0).count == 0);  // nothing is touched
+  staged.press(12, 0.5);
+  staged.judge();
+  CHECK(staged.limit(0).worst == doctest::Approx(1.0 / 3.0));
+  CHECK(staged.limit(1).count == 0);  // what is touched lies elsewhere
+  staged.hold(3, {0, 0, 0.001}, 0.5);
+  staged.judge();
+  CHECK(staged.limit(1).worst == doctest::Approx(1.0 / 3.0));
+
+  // simple shear by g: 1/2 (sqrt(4 + g²) + g) - 1, along no side of any triangle
+  for (std::size_t v = 0; v < now.size(); ++v) now[v] = rest[v] + Vec3(0.8 * rest[v].y(), 0, 0);
+  staged.press(12, 0.5);
+  staged.judge();
+  CHECK(staged.limit(0).worst == doctest::Approx(0.5 * (std::sqrt(4.64) + 0.8) - 1.0));
+  // what is squeezed to both sides is not stretched
+  for (std::size_t v = 0; v < now.size(); ++v) now[v] = 0.8 * rest[v];
+  staged.judge(200);
+  CHECK_FALSE(staged.limit(0).open);
+}
+
 TEST_CASE("time counts ticks, and errors are counted") {
   Task task = limited({.bound = 1.0});
   task.time_limit = 1.0;

@@ -26,6 +26,20 @@ struct Measures {
   bool clicked = false;                  ///< a button has gone down
 };
 
+/// What an instrument did to a body in the last substep: contacts first, then a push of each hold.
+struct Pushes {
+  std::span<const Push> contacts, holds;
+};
+Pushes list_pushes(const World& world, std::size_t instrument, std::size_t body) noexcept;
+
+/// Holds of a tool, and where tissue sticks to its jaws, of all bodies.
+inline std::span<const ToolState::Hold> list_holds(const ToolState& tool) noexcept {
+  return {tool.holds.data(), static_cast<std::size_t>(tool.hold_count)};
+}
+inline std::span<const ToolState::Anchor> list_anchors(const ToolState& tool) noexcept {
+  return {tool.anchors.data(), static_cast<std::size_t>(tool.anchor_count)};
+}
+
 /// What is true of an instrument after a tick; moves its history on.
 Measures measure_instrument(const Task& task, const World& world, std::size_t instrument,
                             const HapticSample& sample, const HapticCommand& command, double radius,
@@ -36,6 +50,15 @@ double find_contact_share(const Task& task, const World& world, std::size_t inst
                           const TaskPlace& place, const Measures& measures) noexcept;
 double find_hold_share(const Task& task, const World& world, std::size_t instrument,
                        const TaskPlace& place, const Measures& measures) noexcept;
+
+/// [-] The largest principal strain of the triangles that the tool touches or holds, of those at a
+/// place where one is given: of the surface within its plane, as a stretch less 1. 0 for none.
+double find_strain(const Task& task, const World& world, std::size_t instrument,
+                   const TaskPlace* place) noexcept;
+
+/// [-] of a triangle with its corners at `now` that has them `at_rest`; never below 0.
+double find_strain(const Triangle& t, std::span<const Vec3> at_rest,
+                   std::span<const Vec3> now) noexcept;
 
 /// [m] From a point at rest to a place: to a ball's surface or a path, 0 on it or inside. Infinite
 /// for a region, which has no such distance.

@@ -36,6 +36,7 @@ def say_measure(measure: str) -> str:
         "force": tr("Force"), "force_rate": tr("Rate of force"), "contact": tr("Contact"),
         "depth": tr("Depth"), "distance": tr("Pulled distance"), "speed": tr("Speed"),
         "clearance": tr("Clearance"), "path.off": tr("Off the line"),
+        "strain": tr("Strain"),
     }.get(measure, measure)  # fmt: skip
 
 
