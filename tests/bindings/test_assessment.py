@@ -281,6 +281,28 @@ def test_the_live_loop_comes_to_the_verdict_of_the_self_play_and_so_does_the_rep
     assert again["verdict"]["events"] == verdict["events"]
 
 
+@pytest.mark.landing
+def test_the_strain_of_what_is_touched_and_held_is_that_of_the_self_play_in_the_live_loop_too(
+    tmp_path, capsys
+):
+    """There a tick knows no more of the tissue than what the tool may touch."""
+    change = read_assessment(SCENARIOS / "spleen_push_and_pull.json")
+    tear = next(limit for limit in change["limits"] if limit["id"] == "tear")
+    tear["when"].update(above=0.05, for_s=0.0)
+    made, path = published("spleen_push_and_pull", change), tmp_path / "spleen.palpate"
+    scenario.write(path, made)
+    played = attempt(made.scene, scenario.draw_task(made, "normal", 0), "careful")
+    opened = [e for e in played.events if e["kind"] == palpate.TaskEvent.limit_opened]
+    assert opened and {int(e["index"]) for e in opened} == {change["limits"].index(tear)}
+
+    main(["play", str(path), "--headless", "--device", "script:careful", "--json"])
+
+    verdict = json.loads(capsys.readouterr().out)["verdict"]
+    assert verdict["replay_equal"]
+    told = [(event["tick"], event["value"]) for event in verdict["events"]]
+    assert told == [(int(e["tick"]), float(e["value"])) for e in played.events]
+
+
 def test_the_verb_checks_and_publishes(tmp_path, capsys):
     out = tmp_path / "task.palpate"
     organ, assessment = (
