@@ -119,6 +119,26 @@ def test_no_text_of_any_board_is_cut_off(open_window, task, language, scale):
     assert cut == {}
 
 
+@pytest.mark.parametrize("size", [(1280, 800), (960, 540), (600, 400)])
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_the_line_of_keys_has_as_many_as_there_is_room_for_and_the_menu(
+    open_window, task, language, size
+):
+    window = open_window(open_play(task))
+    window.view.setUpdatesEnabled(False)
+    window.use_language(language)
+    window.resize(*size)
+    QApplication.processEvents()
+    keys, over = window.over.keys, window.over
+    assert keys.isVisible()
+    assert "Esc" in keys.label.text()
+    assert keys.label.width() >= keys.label.sizeHint().width()
+    assert window.rect().contains(keys.geometry())
+    assert not keys.geometry().intersects(over.notice.geometry())
+    if size == (1280, 800):
+        assert "F11" in keys.label.text()
+
+
 @pytest.mark.parametrize("size", [(1100, 760), (960, 540)])
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_no_text_of_a_card_is_cut_off(shown, task, language, size):
@@ -136,6 +156,7 @@ def test_no_text_of_a_card_is_cut_off(shown, task, language, size):
             if button.isVisible() and button.width() < button.sizeHint().width()]  # fmt: skip
     said = window.notice.label
     cut += [said.text()] * (said.width() < said.sizeHint().width())
+    cut += [said.text()] * (not window.notice.rect().contains(said.geometry()))
     cut += [box.currentText() for box in card.findChildren(QComboBox)
             if box.isVisible() and box.width() < box.sizeHint().width()]  # fmt: skip
     keep_picture(window, f"cards_{language}_{size[0]}")

@@ -213,6 +213,9 @@ class Notice(QFrame):
 
     def say(self) -> None:
         self.label.setText(say_notice())
+        self.label.ensurePolished()  # a layout may have known it in other letters
+        self.label.setMinimumWidth(self.label.sizeHint().width())
+        self.setMinimumWidth(self.layout().totalMinimumSize().width())
 
 
 class Banner(QFrame):
@@ -276,5 +279,20 @@ class KeyLine(QFrame):
         self.say()
 
     def say(self) -> None:
-        pairs = (f"{name}  {meaning}" for name, meaning in self._rows())
+        self._tell(self._rows())
+
+    def fit(self, room: int) -> bool:
+        """As many of them as there is room for [px], and the last, of the menu that has them all;
+        False where not even that has room."""
+        rows = self._rows()
+        for count in range(len(rows) - 1, -1, -1):
+            self._tell([*rows[:count], rows[-1]])
+            self.ensurePolished()
+            self.adjustSize()
+            if self.width() <= room:
+                return True
+        return False
+
+    def _tell(self, rows: list[tuple[str, str]]) -> None:
+        pairs = (f"{name}  {meaning}" for name, meaning in rows)
         self.label.setText("      ".join(pairs))

@@ -164,14 +164,13 @@ class Overlays(QObject):
         return camera.distance
 
     def _place_keys(self, width: int, top: int) -> None:
-        """In the middle where there is room, else beside the notice, else not at all: the menu
-        tells of the keys too."""
-        self.keys.ensurePolished()
-        self.keys.adjustSize()
+        """In the middle where there is room, else beside the notice; those that have no room, the
+        menu tells of."""
         beside = self.notice.geometry().right() + 2 * EDGE
+        fits = self.keys.fit(width - EDGE - beside)
         x = max(beside, (width - self.keys.width()) // 2)
         self.keys.move(x, top + (self.notice.height() - self.keys.height()) // 2)
-        self.keys.setVisible(x + self.keys.width() < width - EDGE)
+        self.keys.setVisible(fits)
 
     def _place_banners(self, width: int, m: float) -> None:
         """On top, between what stands left and right; under the task where that is too narrow."""

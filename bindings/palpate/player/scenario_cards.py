@@ -153,9 +153,6 @@ class ScenariosWindow(QWidget):
         for board in self.boards:
             board.say()
         self.notice.say()
-        label = self.notice.label
-        label.ensurePolished()  # the layout knew it in other letters
-        label.setMinimumWidth(label.sizeHint().width())
         for card in self.cards:
             card.say(self.language, self._list_before(card))
         if not self.cards:
