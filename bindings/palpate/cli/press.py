@@ -13,7 +13,14 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import PICTURE, RECORD, SCRIPT
 from palpate.runs.pictures import plot_runs
-from palpate.runs.press import Place, PressScript, find_place, find_top, has_jaws, write_script
+from palpate.runs.press import (
+    Place,
+    PressScript,
+    find_nearest_place,
+    find_top,
+    has_jaws,
+    write_script,
+)
 from palpate.runs.run import read_scene, require_one_instrument, run_script, say_link
 from palpate.runs.script_file import write_script_file
 
@@ -53,7 +60,7 @@ def read_point(text: str) -> np.ndarray:
 def run_press(call: argparse.Namespace) -> Report:
     scene = read_scene(call.scene)
     require_one_instrument(call.scene, scene)
-    place: Place = find_top(scene) if call.at is None else find_place(scene, call.at)
+    place: Place = find_top(scene) if call.at is None else find_nearest_place(scene, call.at)
     script = PressScript(call.depth, call.pull, call.speed, call.hold)
     if call.script:
         write_script_file(

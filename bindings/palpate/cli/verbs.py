@@ -13,9 +13,10 @@ from palpate.cli.records import RECORDS_VERB
 from palpate.cli.render import RENDER
 from palpate.cli.replay import REPLAY
 from palpate.cli.scenario import SCENARIO_VERB
+from palpate.cli.scene import SCENE_VERB
 from palpate.cli.study import STUDY
 
 VERBS = [
     *(DOCTOR, PRESS, PLAY, SCENARIO_VERB, RECORDS_VERB, DEVICE, REPLAY, RENDER, BENCH, STUDY),
-    MULTIRATE_VERB,
+    *(MULTIRATE_VERB, SCENE_VERB),
 ]

@@ -14,6 +14,7 @@ RECORD = "a record"
 PUBLISHED = "a published scenario"
 ORGAN = "an organ"
 SCENE = "a scene file"
+LAYOUT = "a layout"
 SCRIPT = "a script"
 PICTURE = "a PNG picture"
 OBJ = "an OBJ mesh"
@@ -39,6 +40,7 @@ OF_FORMAT = {
     "palpate": PUBLISHED,
     "organ": ORGAN,
     "palpate scene": SCENE,
+    "palpate layout": LAYOUT,
     "palpate script": SCRIPT,
     "palpate chart": CHART,
     "palpate atlas": ATLAS,

@@ -79,6 +79,12 @@ def find_place(scene: palpate.Scene, near: np.ndarray, body: int = 0) -> Place:
     return find_place_on(*take_surface(scene, body), near)
 
 
+def find_nearest_place(scene: palpate.Scene, near: np.ndarray) -> Place:
+    """The surface point closest to `near` [m] of all bodies."""
+    places = [find_place(scene, near, body) for body in range(len(scene.bodies))]
+    return min(places, key=lambda place: float(np.linalg.norm(place.point - near)))
+
+
 def find_place_on(x: np.ndarray, triangles: np.ndarray, near: np.ndarray) -> Place:
     """The point of a surface closest to `near` [m] and the smooth outward normal there."""
     tree = palpate.AabbTree(x, triangles)

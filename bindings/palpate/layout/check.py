@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""All that is wrong with a layout at once, and what it will cost."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import palpate
+from palpate import FileError
+from palpate.files.refusal import Refusal
+from palpate.layout.assemble import Assembly, build, read_assembly, separate_bodies
+from palpate.layout.costs import PairCosts, press_pair
+from palpate.layout.document import Layout
+from palpate.layout.gaps import find_least
+from palpate.layout.placed import read_placed
+from palpate.layout.separate import MOST_SHIFT, Separation
+from palpate.scene.tick_cost import TICK_SHARE
+
+ERROR, WARNING, NOTE = "error", "warning", "note"
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something wrong, doubtful, or done to the layout."""
+
+    severity: str
+    where: str
+    message: str
+
+
+@dataclass(frozen=True)
+class Checked:
+    """A layout that was looked through."""
+
+    problems: list[Problem]
+    scene: palpate.Scene | None
+    """None where there is an error."""
+    assembly: Assembly | None
+    costs: dict[int, PairCosts]
+    """By the number of the pair."""
+
+    @property
+    def has_errors(self) -> bool:
+        return any(problem.severity == ERROR for problem in self.problems)
+
+
+def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
+    """Reads every organ, moves apart what overlaps, builds, and presses each pair.
+
+    Args:
+        path: Of the layout; the files of its bodies are named from there.
+        layout: What is checked.
+        measures: Whether pairs are pressed, half a second each or more.
+    """
+    problems = find_file_problems(path, layout)
+    if problems:
+        return Checked(problems, None, None, {})
+    try:
+        assembly = read_assembly(path, layout)
+    except ValueError as problem:
+        return Checked([Problem(ERROR, "pairs", str(problem))], None, None, {})
+    problems = [*find_disagreements(assembly), *find_unpaired(assembly), *note_sleep(assembly)]
+    for separation in separate_bodies(assembly):
+        problems.append(describe_separation(layout, separation))
+    checked = Checked(problems, None, assembly, {})
+    if checked.has_errors:
+        return checked
+    try:
+        scene = build(assembly)
+    except ValueError as problem:
+        return Checked([*problems, Problem(ERROR, "scene", str(problem))], None, assembly, {})
+    costs = measure_pairs(scene, assembly) if measures else {}
+    problems += find_cost_problems(layout, scene, costs)
+    return Checked(problems, scene, assembly, costs)
+
+
+def find_file_problems(path: Path, layout: Layout) -> list[Problem]:
+    """Of every body whose organ cannot be had."""
+    if not layout.bodies:
+        return [Problem(ERROR, "bodies", "got none, expected one or more: add an organ")]
+    problems = []
+    for body in layout.bodies:
+        try:
+            read_placed(path, body)
+        except (Refusal, FileError) as problem:
+            problems.append(Problem(ERROR, body.name, str(problem)))
+        except OSError as problem:
+            said = f"{problem.filename}: {problem.strerror}"
+            problems.append(Problem(ERROR, body.name, said))
+    return problems
+
+
+def find_disagreements(assembly: Assembly) -> list[Problem]:
+    """Where organs were published for another scene than the first."""
+    first, *others = assembly.organs
+    problems = []
+    for organ, placed in zip(others, assembly.layout.bodies[1:], strict=True):
+        for name, unit in (("rate", "Hz"), ("gravity", "m/s²")):
+            usual = np.asarray(getattr(first.published.scene, name))
+            found = np.asarray(getattr(organ.published.scene, name))
+            if not np.array_equal(usual, found):
+                problems.append(
+                    Problem(ERROR, placed.name,
+                            f"{name}: got {found} {unit}, expected {usual} {unit}, as the first "
+                            "body's organ has it")
+                )  # fmt: skip
+    return problems
+
+
+def find_unpaired(assembly: Assembly) -> list[Problem]:
+    """Bodies that overlap and will pass through each other."""
+    pairs = {frozenset((pair.first, pair.second)) for pair in assembly.pairs}
+    problems = []
+    for b, moved in enumerate(assembly.surfaces):
+        for a, still in enumerate(assembly.surfaces[:b]):
+            least = None
+            if frozenset((a, b)) not in pairs:
+                least = find_least(still, moved, 0.0, np.zeros(3))
+            if least is not None and least.size < 0.0:
+                names = assembly.layout.bodies[a].name, assembly.layout.bodies[b].name
+                problems.append(
+                    Problem(WARNING, " and ".join(names),
+                            f"overlap by {-1e3 * least.size:.2f} mm and are no pair: they pass "
+                            "through each other")
+                )  # fmt: skip
+    return problems
+
+
+def note_sleep(assembly: Assembly) -> list[Problem]:
+    """Bodies that would sleep alone and cannot beside others."""
+    return [
+        Problem(NOTE, placed.name,
+                f"its force_error of {organ.body.force_error:g} N is 0 here: a body that others "
+                "touch never sleeps")
+        for organ, placed, body in zip(
+            assembly.organs, assembly.layout.bodies, assembly.bodies, strict=True
+        )
+        if organ.body.force_error > 0.0 and body.force_error == 0.0
+    ]  # fmt: skip
+
+
+def describe_separation(layout: Layout, found: Separation) -> Problem:
+    name, other = layout.bodies[found.body].name, layout.bodies[found.other].name
+    begin = (
+        f"is {-1e3 * found.gap:.2f} mm inside of {other}"
+        if found.gap < 0.0
+        else f"is {1e3 * found.gap:.2f} mm from {other}, less than half the thickness"
+    )
+    if found.shift is None:
+        said = (
+            f"{begin}, expected no more than what moving it {1e3 * MOST_SHIFT:g} mm parts: "
+            "place it elsewhere"
+        )
+        return Problem(ERROR, name, said)
+    way = ", ".join(f"{1e3 * along:.2f}" for along in found.shift)
+    far = 1e3 * float(np.linalg.norm(found.shift))
+    return Problem(NOTE, name, f"{begin}: moved {far:.2f} mm, by {way} mm")
+
+
+def measure_pairs(scene: palpate.Scene, assembly: Assembly) -> dict[int, PairCosts]:
+    found = {}
+    for index in range(len(scene.body_pairs)):
+        costs = press_pair(scene, index, assembly.surfaces)
+        if costs is not None:
+            found[index] = costs
+    return found
+
+
+def find_cost_problems(
+    layout: Layout, scene: palpate.Scene, costs: dict[int, PairCosts]
+) -> list[Problem]:
+    problems = []
+    longest = TICK_SHARE / scene.rate
+    for index, cost in costs.items():
+        where = name_pair(layout, scene, index)
+        if cost.alarm:
+            problems.append(Problem(ERROR, where, f"pressed together: {cost.alarm}"))
+        if cost.least_gap < 0.0:
+            deep = f"{-1e3 * cost.least_gap:.2f} mm"
+            problems.append(Problem(ERROR, where, f"went {deep} through each other when pressed"))
+        if cost.tick_median > longest:
+            problems.append(
+                Problem(WARNING, where,
+                        f"a tick takes {1e6 * cost.tick_median:.0f} us here when they are pressed "
+                        f"together, expected at most {1e6 * longest:.0f} us")
+            )  # fmt: skip
+        if not cost.most_touching:
+            problems.append(
+                Problem(NOTE, where, "did not touch when pressed towards each other: their cost "
+                        "is that of bodies apart")
+            )  # fmt: skip
+    for index, pair in enumerate(scene.body_pairs):
+        if index not in costs and pair.first != pair.second:
+            where = name_pair(layout, scene, index)
+            problems.append(Problem(NOTE, where, "are too far apart to be pressed together"))
+    return problems
+
+
+def name_pair(layout: Layout, scene: palpate.Scene, index: int) -> str:
+    pair = scene.body_pairs[index]
+    if pair.first == pair.second:
+        return f"{layout.bodies[pair.first].name} with itself"
+    return f"{layout.bodies[pair.first].name} and {layout.bodies[pair.second].name}"
+
+
+def describe_pair(
+    layout: Layout, scene: palpate.Scene, index: int, checked: Checked
+) -> dict[str, Any]:
+    """What is known of a pair, for a report."""
+    pair, cost = scene.body_pairs[index], checked.costs.get(index)
+    told: dict[str, Any] = {
+        "pair": name_pair(layout, scene, index),
+        "thickness_m": pair.thickness,
+        "stiffness_N_per_m3": pair.stiffness,
+        "damping": pair.damping,
+    }
+    if cost is not None:
+        told |= {
+            "pair_median_us": 1e6 * cost.pair_median,
+            "pair_p99_us": 1e6 * cost.pair_p99,
+            "tick_median_us": 1e6 * cost.tick_median,
+            "tick_p99_us": 1e6 * cost.tick_p99,
+            "most_touching": cost.most_touching,
+            "least_gap_m": cost.least_gap if np.isfinite(cost.least_gap) else None,
+        }
+    return told

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`palpate scene`: what a layout needs from nothing to a file that is played."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from palpate.cli.main import main
+from palpate.render.authored_appearance import find_colours
+from test_layout import write_organ
+
+
+def say(capsys, *words: object) -> dict:
+    code = main(["scene", *map(str, words), "--json"])
+    told = json.loads(capsys.readouterr().out)
+    return {**told, "code": code}
+
+
+@pytest.fixture
+def layout(tmp_path, capsys) -> Path:
+    """Two organs, the second laid with its foot on the top of the first."""
+    organ, path = write_organ(tmp_path), tmp_path / "two.layout.json"
+    say(capsys, "new", "-o", path, "--title", "Two", "--title-tr", "İki")
+    say(capsys, "add", path, organ, "--name", "low")
+    say(capsys, "add", path, organ, "--name", "high", "--at", "0,0,100")
+    say(capsys, "pair", path, "low", "high", "--damping", 0.2)
+    say(capsys, "place", path, "high", "--snap", "foot", "--onto", "low/top", "--gap", "0.3mm")
+    return path
+
+
+def test_from_nothing_to_a_file_that_is_pressed_and_replays(layout, tmp_path, capsys):
+    out, record = tmp_path / "two.palpate", tmp_path / "two.prec"
+
+    told = say(capsys, "publish", layout, "-o", out)
+
+    assert (told["code"], told["out"]) == (0, str(out))
+    assert told["costs"][0]["most_touching"] > 0
+    found = palpate.scenario.read(out)
+    assert found.title == "Two" and found.languages["tr"].title == "İki"
+    assert len(found.scene.bodies) == 2
+    (pair,) = found.scene.body_pairs
+    assert (pair.first, pair.second, pair.damping) == (0, 1, 0.2)
+    assert json.loads(found.authored)["content"]["layout"]["bodies"][1]["name"] == "high"
+    colours = find_colours(found)
+    assert colours is not None and colours.shape == (2 * 162, 3)
+    assert main(["press", str(out), "--at", "0,0,80", "--record", str(record)]) == 0
+    assert main(["replay", str(record)]) == 0
+    assert "the same bits" in capsys.readouterr().out
+
+
+def test_a_change_is_undone_and_made_again_by_later_calls(layout, capsys):
+    before = json.loads(layout.read_text())["now"]
+
+    moved = say(capsys, "place", layout, "high", "--by", "0,0,2", "--turn", "0,0,90", "--fold")
+    assert moved["bodies"][1]["may_fold"]
+    assert moved["bodies"][1]["rotation_rad"] == pytest.approx([0.0, 0.0, np.pi / 2])
+    assert moved["can_undo"] == 5
+
+    undone = say(capsys, "undo", layout)
+    assert json.loads(layout.read_text())["now"] == before
+    assert (undone["can_undo"], undone["can_redo"]) == (4, 1)
+    assert say(capsys, "redo", layout)["bodies"] == moved["bodies"]
+
+
+def test_errors_keep_a_scene_from_being_written(layout, tmp_path, capsys):
+    say(capsys, "place", layout, "high", "--at", "0,0,5")
+    out = tmp_path / "two.palpate"
+
+    told = say(capsys, "publish", layout, "-o", out)
+
+    assert (told["code"], told["out"]) == (1, None)
+    assert not out.exists()
+    assert main(["scene", "publish", str(layout), "-o", str(out)]) == 1
+    said = capsys.readouterr().out
+    assert "error: high: is " in said and said.endswith("not published\n")
+
+
+def test_a_check_that_pressed_nothing_says_so(layout, capsys):
+    assert main(["scene", "check", str(layout), "--quick"]) == 0
+    assert capsys.readouterr().out.endswith("can be published; no pair was pressed (--quick)\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (["place", "none"], 2, "expected one of low, high"),
+        (["place", "high", "--at", "0,1"], 2, "expected X,Y,Z"),
+        (["place", "high", "--snap", "foot"], 2, "expected both"),
+        (["place", "high", "--snap", "foot", "--onto", "high/top"], 2, "BODY/REGION of another"),
+        (["place", "high", "--snap", "nose", "--onto", "low/top"], 1, "expected one of top, foot"),
+        (["pair", "low", "low"], 2, "--fold"),
+        (["pair", "high", "other", "--remove"], 2, "no pair of these"),
+        (["add", "nowhere.palpate"], 1, "No such file"),
+        (["add", "two.layout.json"], 1, "expected a published organ"),
+        (["redo"], 2, "nothing that was undone"),
+    ],
+    ids=["name", "three", "onto", "itself", "region", "fold", "pair", "file", "kind", "redo"],
+)
+def test_what_cannot_be_done_is_refused_and_leaves_the_layout_as_it_was(
+    words, code, said, layout, capsys
+):
+    before = layout.read_bytes()
+    action, *rest = words
+
+    assert main(["scene", action, str(layout), *rest]) == code
+
+    assert said in capsys.readouterr().err
+    assert layout.read_bytes() == before
+
+
+def test_a_changed_organ_is_told_and_can_be_taken_anew(layout, tmp_path, capsys):
+    write_organ(tmp_path, "organ", rate=800.0)
+    told = say(capsys, "check", layout, "--quick")
+    assert told["code"] == 1
+    assert {problem["where"] for problem in told["problems"]} == {"low", "high"}
+
+    for name in ("low", "high"):
+        say(capsys, "place", layout, name, "--renew")
+
+    assert say(capsys, "check", layout, "--quick")["code"] == 0
