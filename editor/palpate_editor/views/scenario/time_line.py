@@ -16,7 +16,7 @@ from palpate_editor.views.translations import tr
 
 HEIGHT = 190
 MOST_POINTS = 2000
-HEADROOM = 1.15
+HEADROOM = 1.3
 BAND, LINE, LIMIT, STEP = "#39b36b", "#4da3ff", "#e2503a", "#8a94a3"
 
 
