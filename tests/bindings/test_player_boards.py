@@ -112,6 +112,8 @@ def test_no_text_of_any_board_is_cut_off(open_window, task, language, scale):
             cut[type(board).__name__] = found
         assert window.rect().contains(board.geometry()), name
         assert not board.geometry().intersects(window.over.notice.geometry()), name
+        task_card = window.over.task
+        assert not (task_card.isVisible() and board.geometry().intersects(task_card.geometry()))
         window.view.setUpdatesEnabled(True)
         keep_picture(board, f"board_{name}")
         window.view.setUpdatesEnabled(False)

@@ -140,6 +140,9 @@ class Overlays(QObject):
         self._place_banners(width, m)
         for board in self.boards:
             self._centre(board, round(min(34.0 * m, 0.9 * width)), notice_top - GAP)
+        shown = self.board()
+        if shown is not None and shown in (self.end, self.debrief):  # read whole, or not at all
+            self.task.setVisible(not shown.geometry().intersects(self.task.geometry()))
 
     def _keep_free(self, width: int, height: int, notice_top: int) -> None:
         """The organ stands beside the task or below it, wherever it is seen larger."""
