@@ -203,8 +203,9 @@ def test_an_assessment_says_the_shape_of_its_tools():
         with_assessment(path, wrong, organ)
 
 
-def test_the_example_of_two_instruments_holds():
-    program = MESHES.parent / "tests" / "examples" / "two_instruments" / "two_instruments.py"
+@pytest.mark.parametrize("name", ["two_instruments", "two_organs"])
+def test_the_example_of_two_holds(name):
+    program = MESHES.parent / "tests" / "examples" / name / f"{name}.py"
 
     assert runpy.run_path(str(program))["main"]() == 0
 
