@@ -62,6 +62,8 @@ ARGUMENTS = {
     "bench": [],
     "organs": ["spleen"],
     "records export": ["--csv"],
+    "scene new": [],
+    "scene publish": ["two.layout.json"],
     "scenario new": ["spleen.palpate", "--title", "Mine"],
     "scenario selfplay": ["spleen.palpate"],
     "scenario review": ["a.palpate", "--of", "task", "--by", "A", "--role", "surgeon"],
