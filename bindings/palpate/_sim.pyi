@@ -2608,6 +2608,8 @@ class EventKind(enum.IntEnum):
     safeguard = 11
     passivity = 12
     tissue_exchanged = 13
+    coupling_limited = 14
+    coupling_follows = 15
 
 class Event:
     """Something that happened at a tick."""
@@ -2631,7 +2633,8 @@ class Event:
     """[s] or [-]; EventKind says what."""
     source: int
     """Which body an alarm, tree_exchanged or safeguard is of, or which instrument fault,
-    attached, released, motors_off, motors_on and passivity are; else 0.
+    attached, released, motors_off, motors_on, passivity, coupling_limited and
+    coupling_follows are; else 0.
     """
     dtype: np.dtype[np.void]
     def __copy__(self) -> Event:
@@ -3403,6 +3406,78 @@ class SoftState:
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
+class DeviceCoupling:
+    """The hand's spring of an instrument whose device bears less of one than the instrument
+    has.
+    """
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def passive_stiffness(self) -> float:
+        """[N/m] Up to which a spring is passive with the device, see find_passive_stiffness; 0,
+        or no less than the instrument's own, for none of this: World.bound_coupling.
+        """
+    @property
+    def delay(self) -> float:
+        """[s] By which a force is late, T/2 + d: times passive_stiffness the device's damping.
+        Likewise.
+        """
+    @property
+    def energy(self) -> float:
+        """[J] That the spring may give as it gets stiffer."""
+    @property
+    def stiffness(self) -> float:
+        """[N/m] Of the spring in the last tick."""
+    @property
+    def tissue(self) -> float:
+        """[N/m] As the contact has shown it to be to the tool."""
+    @property
+    def follows_tissue(self) -> bool:
+        """9 tissue is above what is passive, so that the spring follows the tissue."""
+    @property
+    def way(self) -> float:
+        """[m] Of the tool against its force, in this touch."""
+    @property
+    def mean_way(self) -> float:
+        """[m] Lately, as what follows."""
+    @property
+    def mean_force(self) -> float:
+        """[N]"""
+    @property
+    def way_square(self) -> float:
+        """[m²] Variance."""
+    @property
+    def way_force(self) -> float:
+        """[N m] Covariance."""
+    @property
+    def tool(self) -> NDArray[np.float64]:
+        """[m] In the last tick. Shape (3,), a view."""
+    @tool.setter
+    def tool(self, value: ArrayLike) -> None: ...
+    def __copy__(self) -> DeviceCoupling:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> DeviceCoupling:
+        """A copy of its own."""
+    def __getstate__(
+        self, /
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class InstrumentState:
     """An instrument of a running scene, and the hand that moves it."""
     @property
@@ -3417,6 +3492,9 @@ class InstrumentState:
     @property
     def release_ticks(self) -> int:
         """Left until a hold that fades is gone; 0 when none does."""
+    @property
+    def device(self) -> DeviceCoupling:
+        """A DeviceCoupling: off unless its device needs it."""
     @property
     def hand(self) -> NDArray[np.float64]:
         """[m] where the tool is drawn to: the hand, unless that jumped. Shape (3,), a view."""
@@ -3504,6 +3582,15 @@ class World:
     @property
     def scenery_contacts(self) -> tuple:
         """As Scene.scenery, one for each body that it lists, a tuple; read-only."""
+    def bound_coupling(self, instrument: int, passive_stiffness: float, delay: float) -> None:
+        """Has an instrument felt through a device that bears no more of a spring, as a live run
+        has it. Before the first tick; raises ValueError after it.
+
+        Args:
+            instrument: Which, from 0.
+            passive_stiffness: [N/m] See find_passive_stiffness; 0 for the instrument's own.
+            delay: [s] By which a force is late, T/2 + d.
+        """
     def pair(self, instrument: int, body: int) -> object:
         """An instrument with a body; read-only."""
     @property
@@ -3665,6 +3752,22 @@ def find_passive_stiffness(dynamics: DeviceDynamics, period: float) -> float:
     Args:
         dynamics: What the device declares.
         period: [s] From one force to the next.
+    """
+
+COUPLING_SHARE: float
+
+def fit_coupling(coupling: float, passive: float, tissue: float) -> float:
+    """[N/m] The hand's spring before a tissue, with a device that bears less than the
+    instrument's own: never softer than is passive, as stiff as lets nine tenths of the
+    tissue be felt, and no stiffer than leaves what is felt, k K / (k + K), passive.
+
+    Args:
+        coupling: [N/m] The instrument's own.
+        passive: [N/m] That the device keeps passive.
+        tissue: [N/m] Of the tissue, to the tool.
+
+    Args:
+        coupling: [N/m] that a tool may add at any one particle
     """
 
 class HapticDevice:
@@ -5818,6 +5921,11 @@ class InstrumentSnapshot:
     def interventions(self) -> int:
         """Of the device's passivity controller, so far."""
     @property
+    def stiffness_error(self) -> float:
+        """[-] Part of the tissue's stiffness that the hand does not feel in this contact; 0
+        where the device bears the instrument's own coupling.
+        """
+    @property
     def carried(self) -> NDArray[np.float64]:
         """[N] on the tool, of what its jaws hold. Shape (3,), a view."""
     @carried.setter
@@ -5829,7 +5937,18 @@ class InstrumentSnapshot:
     def __getstate__(
         self, /
     ) -> tuple[
-        object, object, object, object, object, object, object, object, object, object, object
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
@@ -5922,13 +6041,37 @@ class DeviceReport:
         damping and the delay that the device declared at its start; 0 where it declares
         none.
         """
+    @property
+    def follows_tissue_ticks(self) -> int:
+        """Of an instrument whose coupling is stiffer than that: ticks in which the hand's
+        spring was as well, as the tissue asked.
+        """
+    @property
+    def tissue_stiffness(self) -> float:
+        """[N/m] Likewise: of the stiffest tissue that it touched, to the tool."""
+    @property
+    def stiffness_error(self) -> float:
+        """[-] Likewise: the largest part of a tissue's stiffness that was not felt."""
     def __copy__(self) -> DeviceReport:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> DeviceReport:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[object, object, object, object, object, object, object, object, object]: ...
+    ) -> tuple[
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

@@ -43,6 +43,15 @@ void bind_device_dynamics(py::module_& m) {
         "[Colgate97]; 0 where no damping is declared.\n\nArgs:\n"
         "    dynamics: What the device declares.\n"
         "    period: [s] From one force to the next.");
+  m.attr("COUPLING_SHARE") = kCouplingShare;
+  m.def("fit_coupling", &fit_coupling, "coupling"_a, "passive"_a, "tissue"_a,
+        "[N/m] The hand's spring before a tissue, with a device that bears less than the "
+        "instrument's own: never softer than is passive, as stiff as lets nine tenths of the "
+        "tissue be felt, and no stiffer than leaves what is felt, k K / (k + K), passive.\n\n"
+        "Args:\n"
+        "    coupling: [N/m] The instrument's own.\n"
+        "    passive: [N/m] That the device keeps passive.\n"
+        "    tissue: [N/m] Of the tissue, to the tool.");
 }
 
 void bind_scripted_device(py::module_& m) {

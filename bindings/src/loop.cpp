@@ -84,7 +84,10 @@ void bind_snapshot(py::module_& m) {
       .def_readonly("pad_pressure", &InstrumentSnapshot::pad_pressure, "[Pa] of that.")
       .def_readonly("motors", &InstrumentSnapshot::motors, "Of the device.")
       .def_readonly("interventions", &InstrumentSnapshot::interventions,
-                    "Of the device's passivity controller, so far.");
+                    "Of the device's passivity controller, so far.")
+      .def_readonly("stiffness_error", &InstrumentSnapshot::stiffness_error,
+                    "[-] Part of the tissue's stiffness that the hand does not feel in this "
+                    "contact; 0 where the device bears the instrument's own coupling.");
   def_vector(instrument, "carried", &InstrumentSnapshot::carried,
              "[N] on the tool, of what its jaws hold.");
   def_value(instrument, &InstrumentSnapshot::sample, &InstrumentSnapshot::tool_position,
@@ -92,7 +95,7 @@ void bind_snapshot(py::module_& m) {
             &InstrumentSnapshot::touching, &InstrumentSnapshot::jaw_angle,
             &InstrumentSnapshot::pinch, &InstrumentSnapshot::pad_pressure,
             &InstrumentSnapshot::carried, &InstrumentSnapshot::motors,
-            &InstrumentSnapshot::interventions);
+            &InstrumentSnapshot::interventions, &InstrumentSnapshot::stiffness_error);
   def_repr(instrument, {"touching", "force", "tool_position", "motors", "interventions"});
 
   py::class_<Snapshot> snapshot(
@@ -139,13 +142,22 @@ void bind_report(py::module_& m) {
       .def_readonly("passive_stiffness", &DeviceReport::passive_stiffness,
                     "[N/m] Up to which a spring that is told at the rate of the run is passive "
                     "with the damping and the delay that the device declared at its start; 0 where "
-                    "it declares none.");
+                    "it declares none.")
+      .def_readonly("follows_tissue_ticks", &DeviceReport::follows_tissue_ticks,
+                    "Of an instrument whose coupling is stiffer than that: ticks in which the "
+                    "hand's spring was as well, as the tissue asked.")
+      .def_readonly("tissue_stiffness", &DeviceReport::tissue_stiffness,
+                    "[N/m] Likewise: of the stiffest tissue that it touched, to the tool.")
+      .def_readonly("stiffness_error", &DeviceReport::stiffness_error,
+                    "[-] Likewise: the largest part of a tissue's stiffness that was not felt.");
   def_value(device, &DeviceReport::fault, &DeviceReport::fault_reason,
             &DeviceReport::unrendered_ticks, &DeviceReport::peak_force, &DeviceReport::touch_ticks,
             &DeviceReport::touch_force, &DeviceReport::damped_ticks, &DeviceReport::interventions,
-            &DeviceReport::passive_stiffness);
+            &DeviceReport::passive_stiffness, &DeviceReport::follows_tissue_ticks,
+            &DeviceReport::tissue_stiffness, &DeviceReport::stiffness_error);
   def_repr(device, {"fault", "fault_reason", "unrendered_ticks", "peak_force", "touch_ticks",
-                    "touch_force", "damped_ticks", "interventions", "passive_stiffness"});
+                    "touch_force", "damped_ticks", "interventions", "passive_stiffness",
+                    "follows_tissue_ticks", "tissue_stiffness", "stiffness_error"});
 
   py::class_<LoopReport> report(m, "LoopReport", "What a run of the loop cost.");
   report.def_readonly("ticks", &LoopReport::ticks, "How many were run.")

@@ -96,6 +96,12 @@ void bind_log_rows(py::module_& m) {
       .value("tissue_exchanged", EventKind::tissue_exchanged,
              "index: ticks since the hands were told to the slow tissue that is felt from this "
              "tick on; value: [s] that it took")
+      .value("coupling_limited", EventKind::coupling_limited,
+             "from this tick on the hand's spring is bounded by what its device keeps passive; "
+             "value: [N/m] that; index: [us] by which a force is late")
+      .value("coupling_follows", EventKind::coupling_follows,
+             "index 1: from this tick on the hand's spring is stiffer than that, as the tissue "
+             "asks; 0: no more; value: [N/m] of the tissue")
       .finalize();
   py::class_<Event> event(m, "Event", "Something that happened at a tick.");
   event
@@ -109,9 +115,11 @@ void bind_log_rows(py::module_& m) {
       .def_readwrite("kind", &Event::kind, "What happened.")
       .def_readwrite("index", &Event::index, "EventKind says of what.")
       .def_readwrite("value", &Event::value, "[s] or [-]; EventKind says what.")
-      .def_readwrite("source", &Event::source,
-                     "Which body an alarm, tree_exchanged or safeguard is of, or which instrument "
-                     "fault, attached, released, motors_off, motors_on and passivity are; else 0.");
+      .def_readwrite(
+          "source", &Event::source,
+          "Which body an alarm, tree_exchanged or safeguard is of, or which instrument "
+          "fault, attached, released, motors_off, motors_on, passivity, coupling_limited and "
+          "coupling_follows are; else 0.");
   event.attr("dtype") = row_dtype<Event>();
   def_value(event, &Event::tick, &Event::kind, &Event::index, &Event::value, &Event::source);
   def_repr(event, {"tick", "kind", "index", "value", "source"});

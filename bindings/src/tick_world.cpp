@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/native_enum.h>
 
+#include <cmath>
+
 #include "bindings.h"
 #include "border.h"
 #include "palpate/sim/tick/world.h"
@@ -47,6 +49,40 @@ void bind_states(py::module_& m) {
     return write_text(self.tissue.position.size(), " particles, ", self.substeps, " substeps");
   });
 
+  py::class_<DeviceCoupling> device(
+      m, "DeviceCoupling",
+      "The hand's spring of an instrument whose device bears less of one than the instrument has.");
+  device
+      .def_readonly("passive_stiffness", &DeviceCoupling::passive_stiffness,
+                    "[N/m] Up to which a spring is passive with the device, see "
+                    "find_passive_stiffness; 0, or no less than the instrument's own, for none "
+                    "of this: World.bound_coupling.")
+      .def_readonly("delay", &DeviceCoupling::delay,
+                    "[s] By which a force is late, T/2 + d: times passive_stiffness the device's "
+                    "damping. Likewise.")
+      .def_readonly("energy", &DeviceCoupling::energy,
+                    "[J] That the spring may give as it gets stiffer.")
+      .def_readonly("stiffness", &DeviceCoupling::stiffness,
+                    "[N/m] Of the spring in the last tick.")
+      .def_readonly("tissue", &DeviceCoupling::tissue,
+                    "[N/m] As the contact has shown it to be to the tool.")
+      .def_readonly("follows_tissue", &DeviceCoupling::follows_tissue,
+                    "9 tissue is above what is passive, so that the spring follows the tissue.");
+  device.def(py::init<>())
+      .def_readonly("way", &DeviceCoupling::way,
+                    "[m] Of the tool against its force, in this touch.")
+      .def_readonly("mean_way", &DeviceCoupling::mean_way, "[m] Lately, as what follows.")
+      .def_readonly("mean_force", &DeviceCoupling::mean_force, "[N]")
+      .def_readonly("way_square", &DeviceCoupling::way_square, "[m²] Variance.")
+      .def_readonly("way_force", &DeviceCoupling::way_force, "[N m] Covariance.");
+  def_vector(device, "tool", &DeviceCoupling::tool, "[m] In the last tick.");
+  def_value(device, &DeviceCoupling::passive_stiffness, &DeviceCoupling::delay,
+            &DeviceCoupling::stiffness, &DeviceCoupling::tissue, &DeviceCoupling::follows_tissue,
+            &DeviceCoupling::energy, &DeviceCoupling::way, &DeviceCoupling::mean_way,
+            &DeviceCoupling::mean_force, &DeviceCoupling::way_square, &DeviceCoupling::way_force,
+            &DeviceCoupling::tool);
+  def_repr(device, {"passive_stiffness", "stiffness", "tissue", "follows_tissue"});
+
   py::class_<InstrumentState> instrument(
       m, "InstrumentState", "An instrument of a running scene, and the hand that moves it.");
   instrument.def_readonly("tool", &InstrumentState::tool, "Where the tool is; read-only.")
@@ -55,7 +91,9 @@ void bind_states(py::module_& m) {
       .def_readonly("opens", &InstrumentState::opens,
                     "Its jaws open by themselves, until the hand has.")
       .def_readonly("release_ticks", &InstrumentState::release_ticks,
-                    "Left until a hold that fades is gone; 0 when none does.");
+                    "Left until a hold that fades is gone; 0 when none does.")
+      .def_readonly("device", &InstrumentState::device,
+                    "A DeviceCoupling: off unless its device needs it.");
   def_vector(instrument, "hand", &InstrumentState::hand,
              "[m] where the tool is drawn to: the hand, unless that jumped.");
   def_copy(instrument);
@@ -119,6 +157,31 @@ void bind_world(py::module_& m) {
   def_elements(world, "scenery_contacts", &World::scenery_contacts,
                "As Scene.scenery, one for each body that it lists, a tuple; read-only.");
   world
+      .def(
+          "bound_coupling",
+          [](World& self, int instrument, double passive_stiffness, double delay) {
+            require_index("instrument", instrument, self.instruments.size());
+            if (self.tick_count > 0) {
+              throw py::value_error(
+                  "bound_coupling: got a world that has ticked, expected it "
+                  "before its first tick");
+            }
+            for (const double value : {passive_stiffness, delay}) {
+              if (value >= 0.0 && std::isfinite(value)) continue;
+              throw py::value_error(write_text("bound_coupling: got ", passive_stiffness,
+                                               " N/m and ", delay,
+                                               " s, expected finite numbers of at least 0"));
+            }
+            DeviceCoupling& coupling = self.instruments[std::size_t(instrument)].device;
+            coupling.passive_stiffness = passive_stiffness;
+            coupling.delay = delay;
+          },
+          "instrument"_a, "passive_stiffness"_a, "delay"_a,
+          "Has an instrument felt through a device that bears no more of a spring, as a live run "
+          "has it. Before the first tick; raises ValueError after it.\n\nArgs:\n"
+          "    instrument: Which, from 0.\n"
+          "    passive_stiffness: [N/m] See find_passive_stiffness; 0 for the instrument's own.\n"
+          "    delay: [s] By which a force is late, T/2 + d.")
       .def(
           "pair",
           [](const py::object& self, int instrument, int body) -> py::object {

@@ -73,6 +73,8 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         trial = facts.tissue.trial
         found = facts.tissue.nearest if problem.key == "hard_constant" else trial and trial.blown
         return None if not found else SetConstant(*found.key.split("."), found.limit)
+    if problem.key == "low_rate":
+        return SetConstant("hand", "rate", EMPTY.hand.rate)
     if problem.key == "gravity":
         size = math.hypot(*organ.hand.gravity)
         x, y, z = (GRAVITY * each / size for each in organ.hand.gravity)

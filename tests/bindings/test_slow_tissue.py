@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+import numpy as np
 import palpate
 import pytest
-from palpate.runs.coupling import describe_couplings, say_couplings
+from palpate.runs.coupling import describe_couplings, find_borne, say_couplings
 from palpate.runs.live import LiveRun
 from surfaces import organ_scene, press_frames
 
@@ -80,11 +81,54 @@ def test_a_run_says_up_to_where_its_device_is_passive_and_what_its_coupling_take
     (row,) = describe_couplings(costs, scene)["couplings"]
     lines = "\n".join(say_couplings({"couplings": [row]}))
 
-    assert row["passive_N_per_m"] == costs.devices[0].passive_stiffness > 0.0
-    assert row["felt_within_a_tenth_N_per_m"] == pytest.approx(100.0)
-    assert "coupling     900 N/m" in lines and "tissue of 100 N/m feels a tenth too soft" in lines
-    harder = row["passive_N_per_m"] < 900.0
-    assert ("passivity controller" in lines) == harder
+    passive = costs.devices[0].passive_stiffness
+    assert row["passive_N_per_m"] == passive
+    assert 0.0 < passive < 900.0
+    # k / (k + K) is 0.9 of K up to either of them
+    assert row["felt_within_a_tenth_N_per_m"] == pytest.approx(min(100.0, passive / 0.9))
+    assert f"coupling     900 N/m; the device is passive up to {passive:.0f} N/m" in lines
+    assert f"no more than {passive:.0f} N/m is felt" in lines
+    assert "feels a tenth too soft" in lines
+
+
+def test_the_hands_spring_before_a_tissue_is_what_the_device_bears_or_nine_times_the_tissue():
+    fit = palpate.fit_coupling
+    assert palpate.COUPLING_SHARE == 9.0
+    assert fit(500.0, 150.0, 0.0) == 150.0
+    assert fit(500.0, 150.0, 30.0) == 270.0
+    assert fit(500.0, 150.0, 600.0) == pytest.approx(200.0)
+    for tissue in (1.0, 20.0, 100.0, 166.0, 1e4):
+        spring = fit(900.0, 150.0, tissue)
+        felt = spring * tissue / (spring + tissue)
+        assert felt <= 150.0 * (1 + 1e-12)
+        borne = find_borne(900.0, 150.0)
+        assert (felt >= 0.9 * tissue * (1 - 1e-12)) == (tissue <= borne)
+
+
+def test_a_world_that_is_told_of_a_weak_device_feels_through_it():
+    scene = organ_scene(2)
+    scene.instruments[0].coupling.stiffness = 900.0
+    scene = palpate.build_scene(scene)
+    own, weak = palpate.World(scene), palpate.World(scene)
+    weak.bound_coupling(0, 20.0, 2e-3)
+    script = press()
+
+    felt, tissue = [], 0.0
+    for t in range(300):
+        sample = script.read(1e-3 * t)
+        commands = [palpate.tick(scene, sample, 1e-3, world) for world in (own, weak)]
+        felt.append([float(np.linalg.norm(command.force)) for command in commands])
+        device = weak.instruments[0].device
+        assert device.stiffness >= 20.0
+        tissue = max(tissue, device.tissue)
+
+    assert own.instruments[0].device.stiffness == 0.0
+    assert tissue > 0.0
+    with pytest.raises(ValueError, match="before its first tick"):
+        weak.bound_coupling(0, 30.0, 2e-3)
+    with pytest.raises(ValueError, match="at least 0"):
+        palpate.World(scene).bound_coupling(0, float("nan"), 0.0)
+    assert 0.0 < max(force for _, force in felt) < max(force for force, _ in felt)
 
 
 def test_a_device_that_declares_no_damping_is_not_said_to_be_passive():

@@ -151,8 +151,8 @@ WRONG = {
     "springs_poisson": (replace(WALL, model=replace(WALL.model, kind="mass_spring",
                                                     constants="tissue")),
                         "material", "warning", "0.45, but springs stretch like 0.3"),
-    "too_many_substeps": (replace(with_part("model", stiffness=500.0), hand=replace(SOUND.hand,
-                          rate=1.0)), "material", "error", "steps a tick, of "),
+    "low_rate": (replace(with_part("model", stiffness=500.0), hand=replace(SOUND.hand, rate=1.0)),
+                 "material", "error", "1 Hz, of which a tick has "),
     "hard_constant": (with_part("model", stiffness=5e8), "material", "error",
                       "us at most: about"),
     "blown": (with_part("tool", stiffness=3e11), "material", "error",
@@ -189,7 +189,7 @@ def find_problem(key: str) -> Problem:
     return problem
 
 
-COSTLY = ("slow_solid", "too_many_substeps", "hard_constant", "too_slow", "late_exchange")
+COSTLY = ("slow_solid", "low_rate", "hard_constant", "too_slow", "late_exchange")
 QUICK = set(WRONG) - set(COSTLY)
 
 

@@ -10,6 +10,7 @@ import palpate
 from palpate.command.sentence import fill
 from palpate.command.verb import Report
 from palpate.runs.alarms import advise_hand, say_alarm, say_safeguard
+from palpate.runs.coupling import FELT_WITHIN
 from palpate.runs.live import Frame
 
 translate = QCoreApplication.translate
@@ -148,14 +149,18 @@ def say_keys() -> list[tuple[str, str]]:
 
 
 def say_forces(frame: Frame) -> list[tuple[str, str]]:
-    """The force on the hand of each of several instruments; of one, the force bar tells it."""
-    if len(frame.instruments) < 2:
-        return []
+    """The force on the hand of each of several instruments, where of one the force bar tells it;
+    and how much softer than it is a tissue is felt through a device that bears no more."""
     name = translate("Player", "Instrument %1")
-    return [
+    several = frame.instruments if len(frame.instruments) > 1 else ()
+    rows = [
         (name.replace("%1", str(number)), f"{format_number(float(np.linalg.norm(one.force)), 2)} N")
-        for number, one in enumerate(frame.instruments, start=1)
+        for number, one in enumerate(several, start=1)
     ]
+    softer = max(one.stiffness_error for one in frame.instruments)
+    if softer > FELT_WITHIN:
+        rows.append((translate("Player", "Feels softer"), f"{format_number(100 * softer, 0)} %"))
+    return rows
 
 
 def format_number(value: float, decimals: int) -> str:

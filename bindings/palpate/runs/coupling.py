@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a device's damping, period and delay and an instrument's coupling leave of a tissue's
-stiffness [stability: passivity]."""
+stiffness [stability: weak coupling]."""
 
 from __future__ import annotations
 
 import palpate
 from palpate.command.verb import Report
 
-SHARE = 9.0
-"""Times as stiff as a tissue a coupling must be, so that at most a tenth of its stiffness is not
-felt: of k and K in a row the hand feels K / (1 + K/k)."""
+FELT_WITHIN = 0.12
+"""Part of a stiffness that may be missing without being shown as it is felt: the tenth that a
+spring which follows a tissue leaves, and how exactly that is known."""
 
 
 def describe_couplings(costs: palpate.LoopReport, scene: palpate.Scene) -> Report:
@@ -19,14 +19,24 @@ def describe_couplings(costs: palpate.LoopReport, scene: palpate.Scene) -> Repor
         if not device.passive_stiffness > 0.0:
             continue
         coupling = instrument.coupling.stiffness
-        rows.append(
-            {
-                "coupling_N_per_m": coupling,
-                "passive_N_per_m": device.passive_stiffness,
-                "felt_within_a_tenth_N_per_m": coupling / SHARE,
-            }
-        )
+        row = {
+            "coupling_N_per_m": coupling,
+            "passive_N_per_m": device.passive_stiffness,
+            "felt_within_a_tenth_N_per_m": find_borne(coupling, device.passive_stiffness),
+        }
+        if device.passive_stiffness < coupling and device.touch_ticks > 0:
+            row["follows_tissue_ticks"] = device.follows_tissue_ticks
+            row["tissue_N_per_m"] = device.tissue_stiffness
+            row["stiffness_error"] = device.stiffness_error
+        rows.append(row)
     return {"couplings": rows} if rows else {}
+
+
+def find_borne(coupling: float, passive: float) -> float:
+    """[N/m] Of the hardest tissue of whose stiffness nine tenths are felt: with the hand's spring k
+    that palpate.fit_coupling chooses, k / (k + K) of K are."""
+    share = palpate.COUPLING_SHARE
+    return min(coupling / share, (1.0 + 1.0 / share) * passive)
 
 
 def say_couplings(report: Report) -> list[str]:
@@ -40,11 +50,16 @@ def say_couplings(report: Report) -> list[str]:
         )
         if passive < coupling:
             lines.append(
-                f"             contact harder than {passive:.0f} N/m may give the hand energy, "
-                "which the passivity controller damps"
+                f"             so the hand's spring is {passive:.0f} N/m, and stiffer as the "
+                f"tissue asks, as far as no more than {passive:.0f} N/m is felt"
             )
         lines.append(
-            f"             behind it tissue of {coupling / SHARE:.0f} N/m feels a tenth too soft, "
-            "harder tissue more"
+            f"             tissue of {row['felt_within_a_tenth_N_per_m']:.0f} N/m feels a tenth "
+            "too soft, harder tissue more"
         )
+        if "stiffness_error" in row:
+            lines.append(
+                f"             the hardest that was touched had {row['tissue_N_per_m']:.0f} N/m; "
+                f"up to {100 * row['stiffness_error']:.0f} % of the stiffness was not felt"
+            )
     return lines

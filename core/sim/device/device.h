@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -49,6 +50,20 @@ static_assert(sizeof(DeviceDynamics) == 24 && alignof(DeviceDynamics) == 8);
 /// [Colgate97]; 0 where no damping is declared.
 inline double find_passive_stiffness(const DeviceDynamics& dynamics, double period) noexcept {
   return dynamics.damping > 0.0 ? dynamics.damping / (0.5 * period + dynamics.delay) : 0.0;
+}
+
+/// Times as stiff as a tissue the hand's spring must be for nine tenths of its stiffness to be
+/// felt: k K / (k + K) of the two in a row.
+inline constexpr double kCouplingShare = 9.0;
+
+/// [N/m] The hand's spring before tissue of stiffness `tissue` [N/m], of an instrument whose own
+/// coupling is `coupling` [N/m], with a device that keeps `passive` [N/m] passive: never softer
+/// than that, as stiff as lets nine tenths of the tissue be felt, and no stiffer than leaves what
+/// is felt, k K / (k + K), passive [stability: weak coupling].
+inline double fit_coupling(double coupling, double passive, double tissue) noexcept {
+  double fit = std::max(passive, kCouplingShare * tissue);
+  if (tissue > passive) fit = std::min(fit, passive * tissue / (tissue - passive));
+  return std::min(coupling, fit);
 }
 
 /// A haptic device, real or simulated: the one thing chosen at run time.

@@ -23,6 +23,7 @@
 #include "palpate/sim/loop/private/tissue_worker.h"
 #include "palpate/sim/loop/private/tree_builder.h"
 #include "palpate/sim/tick/private/cost_histograms.h"
+#include "palpate/sim/tick/private/device_coupling.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 
 namespace palpate {
@@ -81,11 +82,19 @@ struct Loop::Impl {
         commands(channels.size()),
         rows(channels.size()),
         held(channels.size(), 0),
+        follows(channels.size(), false),
         progress(task ? std::optional<Progress>(*task) : std::nullopt),
         safeguards(world.bodies.size(), Safeguard::none),
         snapshots(PendingSnapshot(world, progress ? progress->state : TaskState())),
         reader(world) {
     if (scene.exchange_rate > 0.0) tissue = std::make_unique<TissueWorker>(scene);
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      DeviceCoupling& device = world.instruments[i].device;
+      device.passive_stiffness = channels[i]->passive_stiffness();
+      device.delay = 1e-6 * channels[i]->delay_us();
+      if (!limits_coupling(scene.instruments[i], world.instruments[i])) device = {};
+      if (tissue) tissue->set_passive_stiffness(i, device.passive_stiffness);
+    }
     for (const SoftState& body : world.bodies) {
       if (!tissue) trees.push_back(std::make_unique<TreeBuilder>(body));
     }
@@ -103,6 +112,7 @@ struct Loop::Impl {
   void notice_alarm(long number) noexcept;
   void notice_safeguards(long number) noexcept;
   void notice_devices(long number) noexcept;
+  void notice_couplings(long number) noexcept;
   void judge_tick() noexcept;
   void end_task() noexcept;
   bool has_fault() const noexcept;
@@ -135,6 +145,7 @@ struct Loop::Impl {
   std::vector<HapticCommand> commands;  // [N]
   std::vector<TickLog::Tick> rows;
   std::vector<int> held;                 // triangles, before the tick
+  std::vector<char> follows;             // as DeviceCoupling::follows_tissue, that were told
   std::optional<Progress> progress;      // of the task, where there is one
   std::vector<Safeguard> safeguards;     // per body, that were told
   std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
@@ -272,9 +283,10 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   notice_safeguards(number);
   notice_alarm(number);
   notice_devices(number);
+  notice_couplings(number);
   judge_tick();
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    channels[i]->count_force(world.instruments[i].tool);
+    channels[i]->count_force(world.instruments[i]);
   }
   keep();
   latenesses.add(lateness);
@@ -378,6 +390,21 @@ void Loop::Impl::notice_devices(long number) noexcept {
   }
 }
 
+/// What bounds the hand's springs is told in the first tick, before which a replay takes it over.
+void Loop::Impl::notice_couplings(long number) noexcept {
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const DeviceCoupling& device = world.instruments[i].device;
+    const auto instrument = static_cast<std::int32_t>(i);
+    if (number == 0 && device.passive_stiffness > 0.0) {
+      tell(number, EventKind::coupling_limited, channels[i]->delay_us(), device.passive_stiffness,
+           instrument);
+    }
+    if (device.follows_tissue == bool(follows[i])) continue;
+    follows[i] = device.follows_tissue;
+    tell(number, EventKind::coupling_follows, follows[i], device.tissue, instrument);
+  }
+}
+
 bool Loop::Impl::has_fault() const noexcept {
   return std::ranges::any_of(
       channels, [](const auto& channel) { return channel->fault() != DeviceFault::none; });
@@ -390,6 +417,7 @@ void Loop::Impl::publish() noexcept {
     snapshot.instruments[i].force = channels[i]->safe().sent().force;
     snapshot.instruments[i].motors = channels[i]->motors();
     snapshot.instruments[i].interventions = channels[i]->interventions();
+    snapshot.instruments[i].stiffness_error = find_stiffness_error(world.instruments[i].device);
   }
   snapshot.cost = to_seconds(spent);
   snapshot.lateness = to_seconds(lateness);

@@ -38,6 +38,9 @@ struct InstrumentSnapshot {
   Vec3 carried = Vec3::Zero();         ///< [N] on the tool, of what its jaws hold
   MotorState motors = MotorState::on;  ///< of the device
   long interventions = 0;              ///< of its passivity controller, so far
+  /// [-] part of the tissue's stiffness that the hand does not feel in this contact; 0 where the
+  /// device bears the instrument's own coupling
+  double stiffness_error = 0.0;
 };
 static_assert(alignof(InstrumentSnapshot) == 8);
 
@@ -88,6 +91,10 @@ struct DeviceReport {
   /// [N/m] Up to which a spring that is told at the rate of the run is passive with the damping and
   /// the delay that the device declared at its start; 0 where it declares none.
   double passive_stiffness = 0.0;
+  // where that is less than the instrument's coupling; else 0
+  long follows_tissue_ticks = 0;  ///< the hand's spring was stiffer, as the tissue asked
+  double tissue_stiffness = 0.0;  ///< [N/m] of the stiffest that it touched, to the tool
+  double stiffness_error = 0.0;   ///< [-] largest part of a tissue's stiffness that was not felt
 };
 static_assert(alignof(DeviceReport) == 8);
 

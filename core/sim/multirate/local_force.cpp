@@ -47,6 +47,15 @@ Vec3 balance(const LocalModel& model, const Coupling& coupling, const Vec3& hand
 LocalForce::LocalForce(const Coupling& coupling, LocalForceMode mode, double interval) noexcept
     : coupling_(coupling), mode_(mode), interval_(interval) {}
 
+Coupling LocalForce::fit(const LocalModel& model) const noexcept {
+  Coupling fitted = coupling_;
+  if (passive_ > 0.0 && passive_ < coupling_.stiffness) {
+    fitted.stiffness = fit_coupling(coupling_.stiffness, passive_,
+                                    model.normal.dot(model.stiffness * model.normal));
+  }
+  return fitted;
+}
+
 Vec3 LocalForce::follow(const Vec3& hand, double now) const noexcept {
   if (told_ == 0) return Vec3::Zero();
   if (mode_ == LocalForceMode::hold) return model_.force;
@@ -57,7 +66,7 @@ Vec3 LocalForce::follow(const Vec3& hand, double now) const noexcept {
     return limit(model_.force + (now - model_.time) * rate, coupling_.force_max);
   }
   const double part = std::max(0.0, 1.0 - (now - taken_) / (kBlend * interval_));
-  const Vec3 force = balance(model_, coupling_, hand) + part * left_over_;
+  const Vec3 force = balance(model_, fit(model_), hand) + part * left_over_;
   // what fades may not hold a tool that the tissue has let go of
   return limit(model_.normal.isZero(0.0) ? force : push_only(model_, force), coupling_.force_max);
 }
@@ -68,7 +77,7 @@ void LocalForce::take(const LocalModel& model, double now) noexcept {
   model_ = model;
   told_ = std::min(told_ + 1, 2);
   taken_ = now;
-  left_over_ = told_ == 1 ? Vec3(Vec3::Zero()) : Vec3(was - balance(model, coupling_, last_hand_));
+  left_over_ = told_ == 1 ? Vec3(Vec3::Zero()) : Vec3(was - balance(model, fit(model), last_hand_));
 }
 
 bool LocalForce::is_stale(double now) const noexcept {

@@ -110,6 +110,25 @@ std::vector<RecordedTrees> list_trees(const Scene& scene, const Record& record) 
   return trees;
 }
 
+/// What the devices of a run kept passive; nothing where they bore the instruments' own couplings.
+void bound_couplings(const Record& record, World& world) {
+  for (const Event& event : record.events) {
+    if (event.kind != EventKind::coupling_limited) continue;
+    const auto count = static_cast<std::int32_t>(world.instruments.size());
+    const bool known = event.source >= 0 && event.source < count;
+    if (event.tick != 0 || !known || !(event.value > 0.0) || !std::isfinite(event.value)) {
+      throw std::invalid_argument("replay: got at tick " + std::to_string(event.tick) +
+                                  " the coupling of instrument " + std::to_string(event.source) +
+                                  " bounded to " + std::to_string(event.value) +
+                                  " N/m, expected it at tick 0, of 0 to " +
+                                  std::to_string(count - 1) + ", and a positive number");
+    }
+    DeviceCoupling& device = world.instruments[static_cast<std::size_t>(event.source)].device;
+    device.passive_stiffness = event.value;
+    device.delay = 1e-6 * std::max(0, event.index);
+  }
+}
+
 /// Compares what was felt row by row with what was recorded.
 class Comparison {
  public:
@@ -221,6 +240,7 @@ ReplayReport replay(const Scene& scene, const Record& record, const Task* task) 
   auto next = hashes.begin();
 
   World world(scene);
+  bound_couplings(record, world);
   std::vector<RecordedTrees> trees = list_trees(scene, record);
   std::optional<SlowReplay> slow;
   if (scene.exchange_rate > 0.0) slow.emplace(scene, record);

@@ -99,6 +99,13 @@ void add_jaws(const ToolState& tool, Hash& hash) noexcept {
   }
 }
 
+/// Only where a device bounds it.
+void add_coupling(const DeviceCoupling& device, Hash& hash) noexcept {
+  if (device.stiffness == 0.0) return;
+  hash.add(device.stiffness);
+  hash.add(device.tissue);
+}
+
 }  // namespace
 
 std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
@@ -121,6 +128,7 @@ std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
     add_orientation(instrument.tool, hash);
     add_patch(instrument.tool, hash);
     add_jaws(instrument.tool, hash);
+    add_coupling(instrument.device, hash);
   }
   return hash.finish();
 }

@@ -12,6 +12,7 @@
 #include "palpate/sim/tick/private/check_input.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
 #include "palpate/sim/tick/private/cost_histograms.h"
+#include "palpate/sim/tick/private/device_coupling.h"
 #include "palpate/sim/tick/private/follow_button.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/move_tissue.h"
@@ -76,8 +77,9 @@ bool place_among_bodies(const Vec3& hand, const Tool& tool, World& world,
 double bound_energy(const Scene& scene, std::size_t i, const Vec3& hand, World& world) noexcept {
   const Instrument& instrument = scene.instruments[i];
   const ToolState& tool = world.instruments[i].tool;
-  const double springs = bound_stored_energy(instrument.tool, instrument.coupling, hand, tool,
-                                             list_surfaces(scene, i, world));
+  const double springs =
+      bound_stored_energy(instrument.tool, find_coupling(instrument, world.instruments[i]), hand,
+                          tool, list_surfaces(scene, i, world));
   if (!instrument.tool.jaws) return springs;
   return springs + 2.0 * tool.grip_limit * measure_arm(instrument.tool) * kMostTurnInTick;
 }
@@ -92,6 +94,7 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
   motion.hand = follow_hand(sample.position, dt, state);
   motion.travel = was_placed ? (motion.hand - state.hand).norm() : 0.0;
   motion.felt.setZero();
+  choose_coupling(instrument, motion.travel, dt, state);
   Stopwatch watch(world.measures_costs);
   if (!was_placed) state.tool.position = motion.hand;
   turn_tool(instrument, sample.orientation, dt, state.tool);
@@ -144,9 +147,10 @@ void balance_instruments(const Scene& scene, World& world) noexcept {
     if (!tool.placed) continue;
     HandMotion& motion = workspace(world).hands[i];
     const Instrument& its = scene.instruments[i];
-    motion.felt += its.tool.jaws ? balance_jaws(its.tool, its.coupling, motion.hand,
+    const Coupling coupling = find_coupling(its, world.instruments[i]);
+    motion.felt += its.tool.jaws ? balance_jaws(its.tool, coupling, motion.hand,
                                                 list_jaw_surfaces(scene, i, world), tool)
-                                 : balance_tool(its.tool, its.coupling, motion.hand,
+                                 : balance_tool(its.tool, coupling, motion.hand,
                                                 list_surfaces(scene, i, world), tool);
     if (watch.on()) note_balance(watch.lap(), i, world);
   }
@@ -332,6 +336,7 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
   for (std::size_t i = 0; i < instruments; ++i) {
     const HandMotion& motion = workspace(world).hands[i];
     world.instruments[i].last_force = motion.felt / finest;
+    learn_tissue(scene.instruments[i], world.instruments[i]);
     commands[i] = {.force = world.instruments[i].last_force};
   }
   world.costs.tick = whole.lap();

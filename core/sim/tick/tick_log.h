@@ -44,6 +44,10 @@ enum class EventKind : std::int32_t {
   passivity = 12,  ///< the passivity controller began to damp; value: [J] the hand was given
   tissue_exchanged = 13,  ///< from this tick on a slow tissue is felt as it was told; index: ticks
                           ///< since its hands were told; value: [s] that it took
+  coupling_limited = 14,  ///< from this tick on the hand's spring is bounded by what its device
+                          ///< keeps passive; value: [N/m] that; index: [us] T/2 + d
+  coupling_follows = 15,  ///< index 1: from this tick on it is stiffer, as the tissue asks; 0: no
+                          ///< more; value: [N/m] of the tissue
 };
 
 /// Something that happened at a tick.
@@ -53,8 +57,8 @@ struct Event {
   std::int32_t index = 0;
   double value = 0.0;
   /// Which body it is of: alarm (0 also for one of no body), tree_exchanged, safeguard; or which
-  /// instrument: fault, attached, released, motors_off, motors_on, passivity. 0 for the other
-  /// kinds.
+  /// instrument: fault, attached, released, motors_off, motors_on, passivity, coupling_limited,
+  /// coupling_follows. 0 for the other kinds.
   std::int32_t source = 0;
 };
 static_assert(sizeof(Event) == 32 && alignof(Event) == 8);

@@ -85,6 +85,28 @@ struct RigidState {
 };
 static_assert(alignof(RigidState) == 8);
 
+/// The hand's spring of an instrument whose device bears less of one than the instrument has
+/// [stability: weak coupling].
+struct DeviceCoupling {
+  /// [N/m] up to which a spring is passive with the device (find_passive_stiffness); 0, or no less
+  /// than the instrument's own: all of this stays as it is. For who runs the world to set.
+  double passive_stiffness = 0.0;
+  /// [s] by which a force is late, T/2 + d: times passive_stiffness the device's damping. Likewise.
+  double delay = 0.0;
+  double stiffness = 0.0;  ///< [N/m] of the spring in the last tick (choose_coupling)
+  double tissue = 0.0;     ///< [N/m] as the contact has shown it to be to the tool (learn_tissue)
+  /// 9 `tissue` is above what is passive, so that the spring follows the tissue (choose_coupling)
+  bool follows_tissue = false;
+  double energy = 0.0;       ///< [J] that a spring may give as it gets stiffer (choose_coupling)
+  double way = 0.0;          ///< [m] of the tool against its force, in this touch (learn_tissue)
+  double mean_way = 0.0;     ///< [m] lately, as what follows (learn_tissue)
+  double mean_force = 0.0;   ///< [N]
+  double way_square = 0.0;   ///< [m²] variance
+  double way_force = 0.0;    ///< [N m] covariance
+  Vec3 tool = Vec3::Zero();  ///< [m] in the last tick (learn_tissue)
+};
+static_assert(alignof(DeviceCoupling) == 8);
+
 /// An instrument of a running scene, and the hand that moves it.
 struct InstrumentState {
   Vec3 hand = Vec3::Zero();     ///< [m] where the tool is drawn to (read_hands)
@@ -95,6 +117,7 @@ struct InstrumentState {
   double release_load = 0.0;    ///< [N] of the fading holds when they began to (follow_button)
   Vec3 last_force = Vec3::Zero();  ///< [N] of the last tick (tick, fade_out)
   Vec3 fade_from = Vec3::Zero();   ///< [N] the force before the alarm (fade_out)
+  DeviceCoupling device = {};      ///< off unless its device needs it
 };
 static_assert(alignof(InstrumentState) == 8);
 

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
+from palpate.scene.scene_parts import HandPart
 from palpate.scene.tick_cost import LONGEST_TICK, TICK_SHARE
 from palpate.scene.tick_cost import estimate_tick as estimate_tick_of
 
@@ -165,11 +167,38 @@ def find_late_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     yield Problem(LATE, "error", "publish", "tick", got, expected)
 
 
+def round_up(value: float) -> float:
+    """To two digits that count."""
+    digit = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return math.ceil(value / digit) * digit
+
+
 def find_substep_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
-    """Whether a tick has more steps than one can end in time."""
-    del organ
+    """Whether a tick has more steps than one can end in time: of a rate so low that ticks alone are
+    too long, whose steps would fit at the usual one, the rate is told."""
     tissue = facts.tissue
     if tissue is None or count_substeps(tissue) <= MOST_SUBSTEPS:
+        return
+    rate, usual = organ.hand.rate, HandPart().rate
+    least = rate * count_substeps(tissue) / MOST_SUBSTEPS
+    if rate < least <= usual:
+        yield Problem(
+            "low_rate",
+            "error",
+            "material",
+            "hand.rate",
+            phrase(
+                "{rate:g} Hz, of which a tick has {count} steps, of {step:.2g} us at most",
+                rate=rate,
+                count=count_substeps(tissue),
+                step=1e6 * (tissue.stable_step or 0.0),
+            ),
+            phrase(
+                "at least {least:g} Hz; a hand is asked at {usual:g} Hz",
+                least=round_up(least),
+                usual=usual,
+            ),
+        )
         return
     if find_wrong_constant(tissue) is not None:
         return

@@ -361,6 +361,10 @@
         <translation>Bağlantının sönümlemesi</translation>
     </message>
     <message>
+        <source>Stiffness not felt</source>
+        <translation>Hissedilmeyen sertlik</translation>
+    </message>
+    <message>
         <source>Late exchanges</source>
         <translation>Geciken alışverişler</translation>
     </message>
@@ -4358,6 +4362,14 @@ Beklenen: {expected}.</translation>
     <message>
         <source>at most {most:g} m/s², turned to where the organ lies</source>
         <translation>en çok {most:g} m/s², organın yatışına göre döndürülmüş</translation>
+    </message>
+    <message>
+        <source>{rate:g} Hz, of which a tick has {count} steps, of {step:.2g} us at most</source>
+        <translation>{rate:g} Hz; bir adımda {count} alt adım var, her biri en çok {step:.2g} us</translation>
+    </message>
+    <message>
+        <source>at least {least:g} Hz; a hand is asked at {usual:g} Hz</source>
+        <translation>en az {least:g} Hz; ele {usual:g} Hz ile sorulur</translation>
     </message>
     <message>
         <source>at most {most}: a softer or heavier tissue, less damping or larger triangles</source>

@@ -364,6 +364,10 @@
         <translation>kuvvet oku</translation>
     </message>
     <message>
+        <source>Feels softer</source>
+        <translation>Daha yumuşak hissedilir</translation>
+    </message>
+    <message>
         <source>Instrument %1</source>
         <translation>Alet %1</translation>
     </message>

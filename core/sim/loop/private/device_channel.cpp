@@ -2,8 +2,10 @@
 #include "palpate/sim/loop/private/device_channel.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "palpate/sim/base/private/refuse.h"
+#include "palpate/sim/tick/private/device_coupling.h"
 
 namespace palpate {
 namespace {
@@ -11,12 +13,18 @@ namespace {
 /// Ticks without damping after which the next is another intervention [stability: passivity].
 constexpr std::int64_t kCalmTicks = 100;
 
+std::int32_t measure_delay(const DeviceDynamics& dynamics, double period) noexcept {
+  return static_cast<std::int32_t>(
+      std::lround(1e6 * std::clamp(0.5 * period + dynamics.delay, 0.0, 1e3)));
+}
+
 }  // namespace
 
 DeviceChannel::DeviceChannel(HapticDevice& device, const SafetyLimits& limits, double period)
     : device_(device),
       safe_(device, limits),
-      passive_stiffness_(find_passive_stiffness(device.dynamics(), period)) {}
+      passive_stiffness_(find_passive_stiffness(device.dynamics(), period)),
+      delay_us_(measure_delay(device.dynamics(), period)) {}
 
 void DeviceChannel::notice(std::int64_t tick, int instrument, TickLog* log) noexcept {
   const auto tell = [&](EventKind kind, std::int32_t index, double value) noexcept {
@@ -54,16 +62,29 @@ void DeviceChannel::notice_damping(std::int64_t tick, int instrument, TickLog* l
   }
 }
 
-void DeviceChannel::count_force(const ToolState& tool) noexcept {
+namespace {
+
+void raise_to(double value, std::atomic<double>& largest) noexcept {
+  if (value > largest.load(std::memory_order_relaxed)) {
+    largest.store(value, std::memory_order_relaxed);
+  }
+}
+
+}  // namespace
+
+void DeviceChannel::count_force(const InstrumentState& instrument) noexcept {
   if (motors_ != MotorState::on) {
     unrendered_.fetch_add(1, std::memory_order_relaxed);
     return;
   }
   const double size = safe_.sent().force.norm();
-  if (size > peak_force_.load(std::memory_order_relaxed)) {
-    peak_force_.store(size, std::memory_order_relaxed);
-  }
+  raise_to(size, peak_force_);
+  const ToolState& tool = instrument.tool;
   if (!tool.touching && !tool.has_hold()) return;
+  const DeviceCoupling& coupling = instrument.device;
+  if (coupling.follows_tissue) follows_tissue_.fetch_add(1, std::memory_order_relaxed);
+  raise_to(coupling.tissue, tissue_stiffness_);
+  raise_to(find_stiffness_error(coupling), stiffness_error_);
   const long count = touch_ticks_.fetch_add(1, std::memory_order_relaxed) + 1;
   touch_force_sum_ += size;
   touch_force_.store(touch_force_sum_ / double(count), std::memory_order_relaxed);
@@ -86,6 +107,9 @@ DeviceReport DeviceChannel::report() const {
   report.damped_ticks = damped_.load(std::memory_order_relaxed);
   report.interventions = interventions();
   report.passive_stiffness = passive_stiffness_;
+  report.follows_tissue_ticks = follows_tissue_.load(std::memory_order_relaxed);
+  report.tissue_stiffness = tissue_stiffness_.load(std::memory_order_relaxed);
+  report.stiffness_error = stiffness_error_.load(std::memory_order_relaxed);
   return report;
 }
 

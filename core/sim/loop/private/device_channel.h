@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "palpate/sim/contact/tool.h"
 #include "palpate/sim/loop/loop.h"
+#include "palpate/sim/tick/world.h"
 
 namespace palpate {
 
@@ -25,11 +25,15 @@ class DeviceChannel {
   /// it begins to after a calm.
   void notice_damping(std::int64_t tick, int instrument, TickLog* log) noexcept;
   long interventions() const noexcept { return interventions_.load(std::memory_order_relaxed); }
-  /// What the hand really felt of a tick that left the tool like this.
-  void count_force(const ToolState& tool) noexcept;
+  /// What the hand really felt of a tick that left its instrument like this.
+  void count_force(const InstrumentState& instrument) noexcept;
   void end() noexcept;  ///< a zero force, past the slew limit that would let it linger
 
   // any thread
+  /// [N/m] of find_passive_stiffness at the start.
+  double passive_stiffness() const noexcept { return passive_stiffness_; }
+  /// [us] by which a force was late then, T/2 + d.
+  std::int32_t delay_us() const noexcept { return delay_us_; }
   DeviceFault fault() const noexcept { return fault_.load(std::memory_order_acquire); }
   DeviceReport report() const;
 
@@ -37,6 +41,7 @@ class DeviceChannel {
   HapticDevice& device_;
   SafeDevice safe_;
   const double passive_stiffness_;  // [N/m]
+  const std::int32_t delay_us_;
   MotorState motors_ = MotorState::on;
   double touch_force_sum_ = 0.0;   // [N]
   std::int64_t last_damped_ = -1;  // tick; negative before the first
@@ -44,6 +49,9 @@ class DeviceChannel {
   std::atomic<double> fault_value_{0.0};
   std::atomic<long> unrendered_{0}, touch_ticks_{0}, damped_{0}, interventions_{0};
   std::atomic<double> peak_force_{0.0}, touch_force_{0.0};  // [N]
+  std::atomic<long> follows_tissue_{0};                     // ticks
+  std::atomic<double> tissue_stiffness_{0.0};               // [N/m]
+  std::atomic<double> stiffness_error_{0.0};                // [-]
 };
 
 /// One for each instrument. Throws std::invalid_argument where scene, devices, options and log (or

@@ -29,6 +29,10 @@ class TissueWorker {
   /// the tissue as it was told last.
   void tick(std::span<const HapticSample> samples, World& world, std::span<HapticCommand> commands,
             TickLog* log) noexcept;
+  /// [N/m] That the device of an instrument keeps passive; before the first tick.
+  void set_passive_stiffness(std::size_t instrument, double passive) noexcept {
+    fast_.set_passive_stiffness(instrument, passive);
+  }
   /// Haptic thread: the next exchange tells the log the hash of the tissue's world.
   void ask_for_hash() noexcept { wants_hash_ = true; }
 

@@ -8,6 +8,7 @@
 #include "palpate/sim/base/private/realtime.h"
 #include "palpate/sim/multirate/private/measure_local_model.h"
 #include "palpate/sim/packed/private/packed.h"
+#include "palpate/sim/tick/private/device_coupling.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/world_internals.h"
 #include "palpate/sim/tick/tick.h"
@@ -149,9 +150,14 @@ void show_tick(const FastSide& fast, const Scene& scene, std::span<const HapticC
     state.hand = fast.hands()[i].position;
     state.last_force = commands[i].force;
     state.tool.placed = true;
+    const LocalForce& force = fast.forces()[i];
     // where the hand's spring gives this force
-    state.tool.position = state.hand + state.last_force / scene.instruments[i].coupling.stiffness;
+    state.tool.position = state.hand + state.last_force / force.stiffness();
     state.tool.touching = !state.last_force.isZero(0.0);
+    if (!limits_coupling(scene.instruments[i], state)) continue;
+    state.device.stiffness = force.stiffness();
+    state.device.tissue = state.tool.touching ? force.tissue() : 0.0;
+    follow_tissue_stiffness(state.device);
   }
   ++world.tick_count;
 }

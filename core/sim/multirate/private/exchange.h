@@ -79,6 +79,10 @@ class FastSide {
   /// Ends a tick: the forces that the hands must feel.
   void render(std::span<HapticCommand> commands) noexcept;
 
+  /// [N/m] That the device of an instrument keeps passive; before the first tick.
+  void set_passive_stiffness(std::size_t instrument, double passive) noexcept {
+    forces_[instrument].set_passive_stiffness(passive);
+  }
   bool has_told() const noexcept { return told_at_ >= 0; }
   int ticks() const noexcept { return ticks_; }
   double step() const noexcept { return step_; }

@@ -20,13 +20,23 @@ class LocalForce {
   /// is older than three intervals is stale: its force falls to 0 in 20 ms.
   Vec3 render(const Vec3& hand, double now) noexcept;
 
+  /// [N/m] That the device keeps passive: the hand's spring is then fit_coupling()'s before the
+  /// model's stiffness. 0, as at the start, for the instrument's own.
+  void set_passive_stiffness(double passive) noexcept { passive_ = passive; }
+  /// [N/m] Of the hand's spring before the model that is felt.
+  double stiffness() const noexcept { return fit(model_).stiffness; }
+  /// [N/m] Of that model, along its normal.
+  double tissue() const noexcept { return model_.normal.dot(model_.stiffness * model_.normal); }
+
   const LocalModel& model() const noexcept { return model_; }
   bool is_stale(double now) const noexcept;
 
  private:
   Vec3 follow(const Vec3& hand, double now) const noexcept;
+  Coupling fit(const LocalModel& model) const noexcept;
 
   Coupling coupling_;
+  double passive_ = 0.0;  // [N/m]
   LocalForceMode mode_;
   double interval_;                 // [s]
   LocalModel model_, before_;       // the last told, and the one before it

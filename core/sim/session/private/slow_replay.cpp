@@ -34,6 +34,11 @@ SlowReplay::SlowReplay(const Scene& scene, const Record& record)
 
 void SlowReplay::tick(std::span<const HapticSample> samples, World& shown,
                       std::span<HapticCommand> commands) {
+  if (shown.tick_count == 0) {
+    for (std::size_t i = 0; i < shown.instruments.size(); ++i) {
+      fast_.set_passive_stiffness(i, shown.instruments[i].device.passive_stiffness);
+    }
+  }
   fast_.follow(samples);
   const bool takes = next_ < taken_at_.size() && taken_at_[next_] == shown.tick_count;
   if (takes) {

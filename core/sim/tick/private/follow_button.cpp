@@ -8,6 +8,7 @@
 #include "palpate/sim/device/device.h"
 #include "palpate/sim/dynamics/private/alarms.h"
 #include "palpate/sim/grasp/private/jaws.h"
+#include "palpate/sim/tick/private/device_coupling.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 
 namespace palpate {
@@ -48,8 +49,8 @@ bool holds_near_alarm(const Scene& scene, const World& world, const Holding& gri
 }
 
 bool is_out_of_grip(const Holding& grip) noexcept {
-  return measure_slip(grip.instrument.coupling, grip.state.hand, grip.state.tool) >
-         kSlipInRadii * grip.instrument.tool.radius;
+  return measure_slip(find_coupling(grip.instrument, grip.state), grip.state.hand,
+                      grip.state.tool) > kSlipInRadii * grip.instrument.tool.radius;
 }
 
 void begin_release(double dt, const Holding& grip) noexcept {
@@ -65,9 +66,9 @@ double find_part(const Holding& grip, double force) noexcept {
   double stiffness = 0.0;
   for (const ToolState::Hold& hold : grip.holds()) stiffness += hold.stiffness;
   const double reach = (grip.state.hand - grip.state.tool.position).norm();
-  const double carried =
-      measure_held_load(grip.state.tool, grip.surfaces) +
-      stiffness * std::max(0.0, reach - force / grip.instrument.coupling.stiffness);
+  const double spring = find_coupling(grip.instrument, grip.state).stiffness;
+  const double carried = measure_held_load(grip.state.tool, grip.surfaces) +
+                         stiffness * std::max(0.0, reach - force / spring);
   return carried > force ? force / carried : 1.0;
 }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from palpate.runs.coupling import FELT_WITHIN
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.views.context import Context
@@ -108,4 +109,9 @@ def list_costs(outcome: Outcome) -> list[Fact]:
         late = f"{count(report.late_exchanges)} / {count(report.exchanges)}"
         facts.append((tr("Late exchanges"), late, "warning" if report.late_exchanges else "good"))
     damped = "warning" if report.interventions else "good"
-    return [*facts, (tr("Damped by the link"), count(report.interventions), damped)]
+    facts.append((tr("Damped by the link"), count(report.interventions), damped))
+    softer = max((device.stiffness_error for device in report.devices), default=0.0)
+    if softer > 0.0:
+        tone = "warning" if softer > FELT_WITHIN else "good"
+        facts.append((tr("Stiffness not felt"), f"{100 * softer:.0f} %", tone))
+    return facts

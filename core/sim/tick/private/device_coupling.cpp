@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "palpate/sim/tick/private/device_coupling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate {
+namespace {
+
+/// [m/s] The tool moves no faster than that because its spring becomes another: the force on the
+/// hand then changes by no more than passive_stiffness times it.
+constexpr double kFastestChange = 0.02;
+
+/// [s] In which a spring that carries next to nothing becomes another.
+constexpr double kChangeTime = 0.05;
+
+/// [m] Of the tool's way, over which what is older is forgotten. By way and not by time: a hand
+/// that rests teaches nothing, and takes nothing back.
+constexpr double kMemory = 1e-3;
+
+/// [m] A way that is shorter shows less of a tissue than what is known of it.
+constexpr double kLeastWay = 2e-5;
+
+/// Of passive_stiffness, below which 9 times a tissue's must fall for the spring not to follow it
+/// any more.
+constexpr double kReturn = 0.8;
+
+/// [J] That may be given to the hand by springs that become stiffer under load; a part of what the
+/// passivity controller lets pass (SafetyLimits::energy_max).
+constexpr double kMostEnergy = 2.5e-4;
+
+/// Of what the device's damping takes up beyond the contact's need, that may be given as well.
+constexpr double kGivenShare = 0.5;
+
+/// The spring towards `wanted` [N/m] while it carries f [N]: its compliance c, times which that is
+/// the tool's way from the hand, changes by so much at most. What the hand will get back grows by
+/// -f² dc/2, which must be there.
+void approach(double wanted, double f, double dt, DeviceCoupling& device) noexcept {
+  const double c = 1.0 / device.stiffness, most = kFastestChange * dt / std::max(f, 1e-12);
+  const double growth = std::exp(dt / kChangeTime);
+  const double share =
+      std::clamp(std::clamp(1.0 / wanted, c - most, c + most) / c, 1.0 / growth, growth);
+  const double dc = std::max((share - 1.0) * c, -2.0 * device.energy / (f * f));
+  device.stiffness = 1.0 / (c + dc);
+  device.energy = std::clamp(device.energy + 0.5 * f * f * dc, 0.0, kMostEnergy);
+}
+
+/// The damping b = K (T/2 + d) that a device declared takes up (b - k' (T/2 + d)) v² of a spring
+/// k'.
+void take_up(double travel, double felt, double dt, DeviceCoupling& device) noexcept {
+  const double spare = std::max(0.0, device.passive_stiffness - felt) * device.delay;
+  device.energy = std::min(kMostEnergy, device.energy + kGivenShare * spare * travel * travel / dt);
+}
+
+/// What is not in touch is told to be soft at once: no force is felt that could jump.
+void begin_touch(const Instrument& instrument, InstrumentState& state) noexcept {
+  DeviceCoupling& device = state.device;
+  const double passive = device.passive_stiffness;
+  device = {.passive_stiffness = passive,
+            .delay = device.delay,
+            .stiffness = fit_coupling(instrument.coupling.stiffness, passive, 0.0),
+            .energy = device.energy,
+            .tool = state.tool.position};
+}
+
+}  // namespace
+
+void choose_coupling(const Instrument& instrument, double travel, double dt,
+                     InstrumentState& state) noexcept {
+  if (!limits_coupling(instrument, state)) return;
+  DeviceCoupling& device = state.device;
+  const double force = state.last_force.norm();
+  const double tissue = device.tissue, spring = device.stiffness;
+  take_up(travel, tissue > 0.0 ? spring * tissue / (spring + tissue) : 0.0, dt, device);
+  if (!(device.stiffness > 0.0) || force == 0.0) return begin_touch(instrument, state);
+  follow_tissue_stiffness(device);
+  approach(fit_coupling(instrument.coupling.stiffness, device.passive_stiffness, device.tissue),
+           force, dt, device);
+}
+
+void follow_tissue_stiffness(DeviceCoupling& device) noexcept {
+  const double least = device.passive_stiffness * (device.follows_tissue ? kReturn : 1.0);
+  device.follows_tissue = kCouplingShare * device.tissue > least;
+}
+
+/// With s the way of the tool against its force f and a = 1 - exp(-|dp| / L) of the way |dp| that
+/// it has gone in any direction, the slope of f over s by least squares whose weights fall by 1/e
+/// with each L, and for a way that shows nothing the slope that there was:
+///
+///     K' = (cov(s, f) + e² K) / (var(s) + e²)
+///
+/// means and moments as exponentially weighted ones [West79].
+void learn_tissue(const Instrument& instrument, InstrumentState& state) noexcept {
+  if (!limits_coupling(instrument, state)) return;
+  DeviceCoupling& device = state.device;
+  const Vec3 moved = state.tool.position - device.tool;
+  device.tool = state.tool.position;
+  const double force = state.last_force.norm();
+  if (!(force > 0.0)) return;
+  device.way -= moved.dot(state.last_force) / force;
+  const double gain = 1.0 - std::exp(-moved.norm() / kMemory);
+  const double way = device.way - device.mean_way, rise = force - device.mean_force;
+  device.mean_way += gain * way;
+  device.mean_force += gain * rise;
+  device.way_square = (1.0 - gain) * (device.way_square + gain * way * way);
+  device.way_force = (1.0 - gain) * (device.way_force + gain * way * rise);
+  const double least = kLeastWay * kLeastWay;
+  device.tissue =
+      std::max(0.0, (device.way_force + least * device.tissue) / (device.way_square + least));
+}
+
+}  // namespace palpate
