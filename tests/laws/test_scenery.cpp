@@ -136,6 +136,29 @@ TEST_CASE("an instrument of capsules and one of jaws stop at scenery as a ball d
   }
 }
 
+TEST_CASE("jaws that rub close on scenery, hold on to it and let go") {
+  Scene scene = make_layer_on_table(kLayer, 0.0025);
+  scene.scenery[0].mesh = make_table(0.2, 40, {0.0, 0.0, 0.02});
+  scene.scenery[0].bodies.clear();
+  Tool& tool = scene.instruments[0].tool;
+  tool.capsules = {{{0.0, 0.001, 0.0}, {0.0, 0.001, 0.02}},
+                   {{0.0, -0.001, 0.0}, {0.0, -0.001, 0.02}}};
+  tool.jaws = Jaws{};
+  tool.friction = 0.5;
+  scene = build_scene(std::move(scene));
+  World world(scene);
+  HapticSample sample;
+  int anchors = 0;
+  for (int i = 0; i < 600; ++i) {
+    sample.position = {0.001, 0.002, 0.04 - std::min(0.022, 1e-3 * i)};
+    sample.buttons = i > 100 && i < 400 ? kAttachButton : 0;
+    REQUIRE(tick(scene, sample, kDt, world).force.allFinite());
+    anchors = std::max(anchors, world.instruments[0].tool.anchor_count);
+  }
+  CHECK_FALSE(world.alarm);
+  CHECK(anchors > 0);
+}
+
 TEST_CASE("no flick brings a tip through scenery" * doctest::test_suite("landing")) {
   Scene scene = make_layer_on_table(kLayer, 0.0015);
   scene.scenery[0].mesh = make_table(0.2, 40, {0.0, 0.0, 0.02});

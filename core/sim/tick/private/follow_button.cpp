@@ -152,6 +152,7 @@ bool strains(const Scene& scene, const World& world, const ToolState& tool) noex
     if (body == checked) continue;
     checked = body;
     const auto b = static_cast<std::size_t>(body);
+    if (b >= world.bodies.size()) continue;  // what is hard bears all
     if (is_near_alarm(scene.bodies[b], world.bodies[b])) return true;
   }
   return false;
