@@ -3060,8 +3060,7 @@ class BodyPair:
 
 class RigidBody:
     """What moves and keeps its shape, a stone for one. Instruments touch its mesh; tissues,
-    scenery and other rigid bodies its spheres, which lie in that. Not simulated yet:
-    build_scene refuses it.
+    scenery and other rigid bodies its spheres, which lie in that.
     """
     def __init__(
         self,
@@ -3125,7 +3124,7 @@ class RigidBody:
         """The value on one line."""
 
 class RigidState:
-    """Where a rigid body is and how it moves. Not simulated yet."""
+    """Where a rigid body is and how it moves, after every tick."""
     def __init__(self) -> None:
         """Every field at its first value."""
     @property
@@ -3301,10 +3300,10 @@ class Scene:
         """The tissues, a tuple."""
     @property
     def rigid(self) -> tuple:
-        """A tuple; build_scene refuses any: they are not simulated yet."""
+        """What moves and keeps its shape, a tuple."""
     @property
     def scenery(self) -> tuple:
-        """Likewise."""
+        """What never moves, a tuple."""
     @property
     def instruments(self) -> tuple:
         """A tuple; each has a hand of its own."""
@@ -3569,7 +3568,7 @@ class World:
         """As Scene.bodies, a tuple; read-only."""
     @property
     def rigid(self) -> tuple:
-        """As Scene.rigid, none yet."""
+        """As Scene.rigid, a tuple."""
     @property
     def instruments(self) -> tuple:
         """As Scene.instruments, a tuple; read-only."""

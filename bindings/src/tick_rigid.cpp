@@ -43,8 +43,7 @@ void bind_rigid_body(py::module_& m) {
   py::class_<RigidBody> body(
       m, "RigidBody",
       "What moves and keeps its shape, a stone for one. Instruments touch its mesh; tissues, "
-      "scenery and other rigid bodies its spheres, which lie in that. Not simulated yet: "
-      "build_scene refuses it.");
+      "scenery and other rigid bodies its spheres, which lie in that.");
   body.def(py::init(&make_rigid), "sphere_centres"_a, "sphere_radii"_a, py::kw_only(),
            "mass"_a = usual.mass, "inertia"_a = usual.inertia, "position"_a = usual.position,
            "orientation"_a = Eigen::Vector4d(usual.orientation.coeffs()), "mesh"_a = usual.mesh,
@@ -75,7 +74,7 @@ void bind_rigid_body(py::module_& m) {
 
 void bind_rigid_state(py::module_& m) {
   py::class_<RigidState> state(m, "RigidState",
-                               "Where a rigid body is and how it moves. Not simulated yet.");
+                               "Where a rigid body is and how it moves, after every tick.");
   state.def(py::init<>());
   def_vector(state, "position", &RigidState::position, "[m] of its frame.");
   def_orientation(state, &RigidState::orientation,

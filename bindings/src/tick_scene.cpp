@@ -261,9 +261,8 @@ void bind_scene_type(py::module_& m) {
             "Copies its parts: one body and one instrument unless others are given. build_scene "
             "makes it ready for ticks.");
   def_elements(scene, "bodies", &Scene::bodies, "The tissues, a tuple.");
-  def_elements(scene, "rigid", &Scene::rigid,
-               "A tuple; build_scene refuses any: they are not simulated yet.");
-  def_elements(scene, "scenery", &Scene::scenery, "Likewise.");
+  def_elements(scene, "rigid", &Scene::rigid, "What moves and keeps its shape, a tuple.");
+  def_elements(scene, "scenery", &Scene::scenery, "What never moves, a tuple.");
   def_elements(scene, "instruments", &Scene::instruments, "A tuple; each has a hand of its own.");
   def_elements(scene, "body_pairs", &Scene::body_pairs,
                "Which bodies may touch each other, a tuple; each pair once.");

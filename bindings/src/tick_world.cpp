@@ -148,7 +148,7 @@ void bind_world(py::module_& m) {
             }),
             "scene"_a, py::kw_only(), "recovers"_a = true, "The scene at rest.");
   def_elements(world, "bodies", &World::bodies, "As Scene.bodies, a tuple; read-only.");
-  def_elements(world, "rigid", &World::rigid, "As Scene.rigid, none yet.");
+  def_elements(world, "rigid", &World::rigid, "As Scene.rigid, a tuple.");
   def_elements(world, "instruments", &World::instruments,
                "As Scene.instruments, a tuple; read-only.");
   def_elements(world, "pairs", &World::pairs,

@@ -118,21 +118,6 @@ def test_a_body_has_the_iterations_of_its_integrator_and_a_file_holds_them(scene
         palpate.build_scene(palpate.Scene(bodies=[usual_step]))
 
 
-def test_rigid_bodies_are_refused_as_not_simulated_yet(scene):
-    ball = palpate.SurfaceMesh(*make_tetrahedron())
-    stone = palpate.RigidBody([(0, 0, 0)], [1e-3], mass=1e-3, inertia=(1e-9, 1e-9, 1e-9))
-    with pytest.raises(ValueError, match="rigid: got 1, expected none yet"):
-        palpate.build_scene(palpate.Scene(bodies=list(scene.bodies), rigid=[stone]))
-    assert palpate.World(scene).rigid == ()
-    assert palpate.Scenery(ball).mesh.triangles.shape == (4, 3)
-    assert stone.orientation.tolist() == [0.0, 0.0, 0.0, 1.0]
-
-
-def make_tetrahedron() -> tuple[np.ndarray, np.ndarray]:
-    vertices = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
-    return vertices, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
-
-
 @pytest.mark.parametrize("name", [each.name for each in palpate.Integrator])
 def test_a_file_holds_the_integrator_of_a_body(scene, tmp_path, name):
     tissue = copy.copy(scene.bodies[0].tissue)

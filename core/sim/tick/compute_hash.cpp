@@ -130,6 +130,12 @@ std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
     add_jaws(instrument.tool, hash);
     add_coupling(instrument.device, hash);
   }
+  for (const RigidState& state : world.rigid) {
+    hash.add(state.position);
+    for (int k = 0; k < 4; ++k) hash.add(state.orientation.coeffs()[k]);
+    hash.add(state.velocity);
+    hash.add(state.angular_velocity);
+  }
   return hash.finish();
 }
 

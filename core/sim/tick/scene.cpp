@@ -20,6 +20,7 @@
 #include "palpate/sim/tick/private/choose_substeps.h"
 #include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
+#include "palpate/sim/tick/private/touch_rigid.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -230,11 +231,6 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
   }
 }
 
-void refuse_rows(const std::string& field, std::size_t count) {
-  if (count == 0) return;
-  refuse(field, static_cast<double>(count), "none yet: rigid bodies are not simulated");
-}
-
 /// Exchanges come every whole number of ticks, and no slower than the hand can be followed.
 void check_exchange_rate(const Scene& scene) {
   const double rate = scene.exchange_rate, ticks = scene.rate / rate;
@@ -258,7 +254,6 @@ void validate(const Scene& scene) {
     validate(scene.instruments[i], Place("instruments", i, scene.instruments.size()));
   }
   check_shapes(scene);
-  refuse_rows("rigid", scene.rigid.size());
   require_positive("rate [Hz]", scene.rate);
   check_exchange_rate(scene);
   if (!scene.gravity.allFinite()) refuse("gravity [m/s^2]", scene.gravity.norm(), "finite numbers");
@@ -394,6 +389,7 @@ Scene build_scene(Scene scene) {
   validate(scene);
   build_body_pairs(scene);
   check_scenery(scene);
+  build_rigid(scene);
   scene.identity = ++built;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Place place("bodies", b, scene.bodies.size());

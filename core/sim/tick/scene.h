@@ -86,7 +86,7 @@ struct Instrument {
 };
 
 /// What moves and keeps its shape, a stone for one. Instruments touch its mesh;
-/// tissues, scenery and other rigid bodies its spheres, which lie in that. Not simulated yet.
+/// tissues, scenery and other rigid bodies its spheres, which lie in that.
 struct RigidBody {
   SurfaceMesh mesh;  ///< [m] in its own frame; build_scene makes that of the spheres if empty
   Vec3Array sphere_centres;  ///< [m] in its own frame, (k, 3); its centre of mass is the origin
@@ -121,7 +121,7 @@ struct Fluid {
 /// instrument has a hand of its own.
 struct Scene {
   std::vector<SoftBody> bodies = std::vector<SoftBody>(1);
-  std::vector<RigidBody> rigid;  ///< build_scene refuses any: they are not simulated yet
+  std::vector<RigidBody> rigid;
   std::vector<Scenery> scenery;
   Fluid fluid;  ///< of the rigid bodies
   std::vector<Instrument> instruments = std::vector<Instrument>(1);

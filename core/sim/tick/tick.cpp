@@ -21,6 +21,7 @@
 #include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/touch_hard.h"
+#include "palpate/sim/tick/private/touch_rigid.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -164,6 +165,7 @@ void take_load(std::size_t body, World& world) noexcept {
     for (const Push& push : world.pair(i, body).load.pushes()) load.add(push);
   }
   for (const Push& push : list_touch_pushes(body, world)) load.add(push);
+  for (const Push& push : list_rigid_pushes(body, world)) load.add(push);
 }
 
 /// Substep s of `finest`: the bodies whose turn it is go a step. One that takes longer steps stands
@@ -182,6 +184,7 @@ void move_bodies(const Scene& scene, double dt, int s, int finest, World& world)
         mean.add(world.pair(i, b).load.pushes());
       }
       mean.add(list_touch_pushes(b, world));
+      mean.add(list_rigid_pushes(b, world));
       if ((s + 1) % substeps_per_step != 0) continue;
       mean.take(substeps_per_step, state.load);
     }
@@ -198,12 +201,16 @@ void run_substeps(const Scene& scene, double dt, int finest, World& world) noexc
   std::ranges::fill(workspace(world).work, 0.0);
   for (HandMotion& motion : workspace(world).hands) motion.felt.setZero();
   begin_stopping(world);
+  begin_rigid(scene, dt / finest, world);
   for (int s = 0; s < finest; ++s) {
     balance_instruments(scene, world);
     touch_bodies(scene, s, finest, dt / finest, world);
+    touch_rigid(scene, dt / finest, world);
     move_bodies(scene, dt, s, finest, world);
+    move_rigid(scene, dt / finest, world);
   }
   end_touching(finest, world);
+  end_rigid(finest, world);
 }
 
 void raise(const Alarm& alarm, int body, World& world) noexcept {
@@ -219,6 +226,7 @@ void end_bodies(const Scene& scene, double dt, World& world) noexcept {
   // a contact that makes energy would count as a hand that gives it
   double most_work = 0.0;
   for (const HandMotion& motion : work.hands) most_work += motion.stored_energy;
+  most_work += bound_rigid_work(scene, dt, world);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const double most = most_work + bound_touch_work(b, world);
     const Alarm alarm = world.bodies[b].asleep
@@ -230,6 +238,11 @@ void end_bodies(const Scene& scene, double dt, World& world) noexcept {
   for (const HandMotion& motion : work.hands) {
     if (motion.felt.allFinite()) continue;
     raise({AlarmKind::not_finite, -1, motion.felt.norm(), 0.0, world.bodies[0].tissue.time}, -1,
+          world);
+  }
+  for (const RigidState& state : world.rigid) {
+    if (state.position.allFinite() && state.angular_velocity.allFinite()) continue;
+    raise({AlarmKind::not_finite, -1, state.position.norm(), 0.0, world.bodies[0].tissue.time}, -1,
           world);
   }
 }
@@ -281,6 +294,10 @@ void stand_still(const Scene& scene, World& world) noexcept {
   for (SoftState& state : world.bodies) {
     std::fill(state.tissue.velocity.begin(), state.tissue.velocity.end(), Vec3::Zero());
   }
+  for (RigidState& state : world.rigid) {
+    state.velocity.setZero();
+    state.angular_velocity.setZero();
+  }
   let_go(world);
 }
 
@@ -320,10 +337,12 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
   calm_down(scene, dt, world);
   meet_bodies(world);
   meet_scenery(world);
+  meet_rigid(scene, dt, world);
   follow_bodies(scene, world);
   for (std::size_t i = 0; i < instruments; ++i) read_hand(scene, samples[i], dt, i, world);
   find_body_contacts(scene, dt, world);
   find_scenery_contacts(scene, world);
+  find_rigid_contacts(scene, dt, world);
   const int chosen = choose_substeps(scene, dt, world);
   wake_bodies(dt, world);
   begin_bodies(scene, world);

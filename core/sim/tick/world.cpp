@@ -14,6 +14,7 @@
 #include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/touch_hard.h"
+#include "palpate/sim/tick/private/touch_rigid.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -91,6 +92,9 @@ int count_pushes(const Scene& scene, const SoftBody& body) noexcept {
     count += count_pushes(each.tool, count_triangles(body));
   }
   if (!scene.body_pairs.empty()) count += surface_count(body.tissue);
+  for (const RigidBody& rigid : scene.rigid) {
+    count += static_cast<int>(kMostSpherePushes * rigid.sphere_radii.size());
+  }
   return count;
 }
 
@@ -99,6 +103,9 @@ int count_triangles(const Scene& scene) noexcept {
   for (const SoftBody& body : scene.bodies) count += count_triangles(body);
   for (const Scenery& scenery : scene.scenery) {
     count += static_cast<int>(scenery.mesh.triangles.size());
+  }
+  for (const RigidBody& body : scene.rigid) {
+    count += static_cast<int>(body.mesh.triangles.size());
   }
   return count;
 }
@@ -161,7 +168,8 @@ BodyInternals::BodyInternals(const Scene& scene, const SoftBody& body, const Sof
     for (const auto& internal : packed->state.internal) numbers += internal.size();
     rest.copy.resize(numbers * sizeof(float));
   }
-  if (scene.bodies.size() > 1) mean_load = MeanLoad(body.tissue.triangles, count_surface(body));
+  if (scene.bodies.size() > 1 || !scene.rigid.empty())
+    mean_load = MeanLoad(body.tissue.triangles, count_surface(body));
 }
 
 // every triangle may be touched and held by every instrument at once, so no capacity can run out
@@ -222,6 +230,7 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
   build_hard_surfaces(scene, *this);
   build_body_contacts(scene, *this);
   build_scenery_contacts(scene, *this);
+  build_rigid_contacts(scene, *this);
 }
 
 TickBuffers::TickBuffers(const World& world)

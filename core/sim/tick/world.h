@@ -72,7 +72,7 @@ struct SoftState {
 };
 static_assert(alignof(SoftState) == 8);
 
-/// Where a rigid body is and how it moves. Not simulated yet.
+/// Where a rigid body is and how it moves, after every tick.
 struct RigidState {
   Vec3 position = Vec3::Zero();                     ///< [m] of its frame
   Quaternion orientation = Quaternion::Identity();  ///< [-] of its frame
@@ -172,7 +172,7 @@ struct World {
   bool recovers = true;
 
   std::vector<SoftState> bodies;             ///< as Scene::bodies
-  std::vector<RigidState> rigid;             ///< as Scene::rigid, none yet
+  std::vector<RigidState> rigid;             ///< as Scene::rigid
   std::vector<InstrumentState> instruments;  ///< as Scene::instruments
   std::vector<ContactPair> pairs;            ///< every instrument with every body: pair()
   std::vector<BodyPairState> body_pairs;     ///< as Scene::body_pairs

@@ -10,6 +10,7 @@
 #include "palpate/sim/tick/private/linear_tick.h"
 #include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
+#include "palpate/sim/tick/private/touch_rigid.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -96,7 +97,7 @@ double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
                              World& world) noexcept {
   const SoftBody& soft = scene.bodies[body];
   BodyInternals& work = internals(world.bodies[body]);
-  double contact = bound_touch_stiffness(body, world);
+  double contact = bound_touch_stiffness(body, world) + bound_rigid_stiffness(body, world);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     contact += bound_instrument_stiffness(scene, i, body, world);
   }
@@ -189,6 +190,10 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
                        count_stable_substeps(scene, body, dt, world),
                        count_impact_substeps(travel, state)});
   }
+  if (is_rigid_near(body, world)) {
+    wanted = std::max({wanted, kFewestInContact, fewest, static_cast<double>(work.wanted_substeps),
+                       count_stable_substeps(scene, body, dt, world)});
+  }
   if (is_touched(body, world)) {
     wanted = std::max({wanted, fewest, static_cast<double>(work.wanted_substeps),
                        count_stable_substeps(scene, body, dt, world),
@@ -236,7 +241,7 @@ int fit_substeps(const Scene& scene, World& world) noexcept {
   }
   if (world.bodies.size() > 1) make_divisors(work.cost, work.wanted);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) world.bodies[b].substeps = work.wanted[b];
-  return *std::ranges::max_element(work.wanted);
+  return refine_for_rigid(scene, *std::ranges::max_element(work.wanted), world);
 }
 
 }  // namespace palpate

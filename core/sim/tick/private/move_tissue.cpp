@@ -18,6 +18,7 @@
 #include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
+#include "palpate/sim/tick/private/touch_rigid.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -77,6 +78,9 @@ void list_near(const Moved& moved, NearList& near) noexcept {
   near.clear();
   for_each_touched_vertex(moved.scene, moved.index, moved.world, [&](int vertex) noexcept {
     add_vertex(tissue, vertex, world.tick_count, near);
+  });
+  for_each_rigid_triangle(moved.index, moved.world, [&](int triangle) noexcept {
+    add_near(tissue, triangle, world.tick_count, near);
   });
   for_each_stopped_vertex(moved.scene, moved.index, moved.world, [&](int vertex) noexcept {
     add_vertex(tissue, vertex, world.tick_count, near);

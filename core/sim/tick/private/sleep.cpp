@@ -11,6 +11,7 @@
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/stop_at_scenery.h"
 #include "palpate/sim/tick/private/touch_bodies.h"
+#include "palpate/sim/tick/private/touch_rigid.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
@@ -60,10 +61,11 @@ bool is_copy(const SoftState& state, const std::vector<std::byte>& copy) noexcep
   return true;
 }
 
-/// Another body may touch it, a scenery stop it, an instrument may or holds it, or remembers that
-/// its tool was on it.
+/// Another body may touch it, soft or rigid, a scenery stop it, an instrument may or holds it, or
+/// remembers that its tool was on it.
 bool is_at_hand(std::size_t body, World& world) noexcept {
   if (is_touched(body, world) || is_stopped(body, world)) return true;
+  if (is_rigid_near(body, world)) return true;
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     if (is_near(world, i, body)) return true;
     const ToolState::Carrier& carrier = world.instruments[i].tool.carrier;

@@ -186,7 +186,7 @@ void build_body_contacts(const Scene& scene, World& world) {
 }
 
 void meet_bodies(World& world) noexcept {
-  if (world.body_pairs.empty() && world.scenery_contacts.empty()) return;
+  if (world.body_pairs.empty() && world.scenery_contacts.empty() && world.rigid.empty()) return;
   for (SoftState& body : world.bodies) internals(body).meets = false;
   for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
     BodyPairState& pair = world.body_pairs[p];

@@ -6,6 +6,7 @@
 #include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/broad_phase.h"
 #include "palpate/sim/grasp/private/jaws.h"
+#include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/tick.h"
 
 namespace palpate {
@@ -15,25 +16,30 @@ namespace {
 /// a hand may, 5 N, it goes in by 0.05 mm.
 constexpr double kHard = 1e5;
 
-std::vector<double> find_areas(const SurfaceMesh& mesh, const Tool& tool) {
+std::vector<double> find_areas(const SurfaceMesh& mesh, const Tool& tool, double least) {
   std::vector<double> areas;
   areas.reserve(mesh.triangles.size());
   for (const auto& [i, j, k] : mesh.triangles) {
     const Vec3 a = mesh.vertices[static_cast<std::size_t>(i)];
     const Vec3 b = mesh.vertices[static_cast<std::size_t>(j)];
     const Vec3 c = mesh.vertices[static_cast<std::size_t>(k)];
-    areas.push_back(std::max(0.5 * (b - a).cross(c - a).norm(), kHard / tool.stiffness));
+    areas.push_back(std::max(0.5 * (b - a).cross(c - a).norm(), least / tool.stiffness));
   }
   return areas;
 }
 
-HardPair make_pair(const SurfaceMesh& mesh, const Tool& tool) {
+/// `least` [N/m] of a triangle.
+HardPair make_pair(const SurfaceMesh& mesh, const Tool& tool, double least) {
   const auto count = static_cast<int>(mesh.triangles.size());
   const int capsules = tool.jaws ? 1 : static_cast<int>(tool.capsules.size());
   HardPair pair{{Candidates(count, capsules), Candidates(tool.jaws ? count : 0)},
                 Load((tool.jaws ? 4 : 2) * count),
-                find_areas(mesh, tool)};
-  for (Candidates& candidates : pair.candidates) candidates.border = find_border(mesh.triangles);
+                find_areas(mesh, tool, least)};
+  for (Candidates& candidates : pair.candidates) {
+    candidates.border = find_border(mesh.triangles);
+    if (simd_targets().empty() || candidates.triangles.empty()) continue;
+    candidates.lanes = ContactLanes(count, {}, capsules);
+  }
   return pair;
 }
 
@@ -48,9 +54,13 @@ void find_of(const HardSurface& hard, const Shape& shape, const Vec3& position, 
 void build_hard_surfaces(const Scene& scene, World& world) {
   TickBuffers& work = workspace(world);
   for (const Scenery& scenery : scene.scenery) work.hard.emplace_back(scenery.mesh);
+  for (const RigidBody& body : scene.rigid) work.hard.emplace_back(body.mesh);
   for (const Instrument& instrument : scene.instruments) {
     for (const Scenery& scenery : scene.scenery) {
-      work.hard_pairs.push_back(make_pair(scenery.mesh, instrument.tool));
+      work.hard_pairs.push_back(make_pair(scenery.mesh, instrument.tool, kHard));
+    }
+    for (const RigidBody& body : scene.rigid) {
+      work.hard_pairs.push_back(make_pair(body.mesh, instrument.tool, body.contact_stiffness));
     }
   }
   work.surfaces.resize(world.bodies.size() + work.hard.size());

@@ -6,9 +6,9 @@
 
 namespace palpate {
 
-// Instruments on what is hard [contact: scenery]: as on tissue that nothing moves.
+// Instruments on what is hard [contact: scenery]: as on tissue, but for what that does.
 
-/// Makes what a world needs of all scenery.
+/// Makes what a world needs of all scenery and rigid bodies.
 void build_hard_surfaces(const Scene& scene, World& world);
 
 /// Finds what an instrument may touch of all that is hard on its path to where the hand is [m].

@@ -15,6 +15,7 @@
 #include "palpate/sim/packed/private/active_set.h"
 #include "palpate/sim/packed/private/packed_checkpoint.h"
 #include "palpate/sim/packed/private/packed_model.h"
+#include "palpate/sim/tick/private/rigid_contacts.h"
 #include "palpate/sim/tick/world.h"
 #include "palpate/sim/tree/aabb_tree.h"
 
@@ -274,6 +275,7 @@ struct TickBuffers {
   std::vector<StoppedBody> stopped;    ///< per body; none without scenery_contacts
   std::vector<HardSurface> hard;       ///< every scenery, then every rigid body
   std::vector<HardPair> hard_pairs;    ///< every instrument with every one of these
+  RigidContacts rigid;
 };
 
 inline TickBuffers& workspace(World& world) noexcept { return world.workspace_.get(); }
