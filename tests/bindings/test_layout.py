@@ -36,14 +36,16 @@ TAU = 4e-4
 RADII = (0.03, 0.025, 0.02)
 
 
-def write_organ(folder: Path, name: str = "organ", **changes: object) -> Path:
+def write_organ(
+    folder: Path, name: str = "organ", appearance: object = None, **changes: object
+) -> Path:
     """An ellipsoid of 162 vertices, with a region of its top and one of its foot."""
     scene = organ_scene(2)
     for key, value in changes.items():
         setattr(scene, key, value)
     z = np.asarray(scene.bodies[0].tissue.rest_position)[:, 2]
     regions = {"top": np.flatnonzero(z > 0.012), "foot": np.flatnonzero(z < -0.012)}
-    content = {"regions": list(regions), "appearance": None}
+    content = {"regions": list(regions), "appearance": appearance}
     made = scenario.Scenario(
         scene=palpate.build_scene(scene),
         title=name,

@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 import json
+from dataclasses import asdict
 from pathlib import Path
 
+import matplotlib.image
 import numpy as np
 import palpate
 import pytest
 from palpate.cli.main import main
 from palpate.render.authored_appearance import find_colours
+from palpate.scene.scene_parts import AppearancePart
 from test_layout import write_organ
 
 
@@ -77,6 +80,25 @@ def test_errors_keep_a_scene_from_being_written(layout, tmp_path, capsys):
     assert main(["scene", "publish", str(layout), "-o", str(out)]) == 1
     said = capsys.readouterr().out
     assert "error: high: is " in said and said.endswith("not published\n")
+
+
+@pytest.mark.usefixtures("little_sky")
+def test_each_organ_is_drawn_in_its_own_colour(tmp_path, capsys):
+    path, out, picture = (tmp_path / name for name in ("l.json", "l.palpate", "l.png"))
+    say(capsys, "new", "-o", path)
+    for name, colour, x in (("red", (0.8, 0.1, 0.1), -40), ("green", (0.1, 0.7, 0.1), 40)):
+        look = asdict(AppearancePart(colour, colour, 1e-3, 0.0, colour, 0.0, 0.0, 0.3, 0.3, 0.2))
+        organ = write_organ(tmp_path, name, appearance=look)
+        say(capsys, "add", path, organ, f"--at={x},0,0")
+    assert say(capsys, "publish", path, "-o", out)["code"] == 0
+
+    words = ["--azimuth=-90", "--elevation=0", "--no-wireframe", "--size", "320x180"]
+    assert main(["render", str(out), "-o", str(picture), *words]) == 0
+
+    red, green, _ = np.moveaxis(matplotlib.image.imread(picture)[..., :3], 2, 0)
+    for half, other, columns in ((red, green, slice(60, 140)), (green, red, slice(180, 260))):
+        middle = half[70:110, columns], other[70:110, columns]
+        assert np.median(middle[0]) > np.median(middle[1]) + 0.1
 
 
 def test_a_check_that_pressed_nothing_says_so(layout, capsys):
