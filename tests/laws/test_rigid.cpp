@@ -168,6 +168,26 @@ TEST_CASE("R3: a stone is left lying by jaws whose grip does not bear it") {
   CHECK(lifted.height < 0.002);
 }
 
+TEST_CASE("R4: a tip that presses a stone on a table with all there is does not press it through") {
+  for (const double size : {0.001, 0.003, 0.011}) {
+    CAPTURE(size);
+    RigidBody stone = make_stone(size);
+    stone.position = {0.001, 0.002, find_resting_height(stone)};
+    Scene scene = make_stone_on_table(stone);
+    // from under the tip it slips away, and must not fall off
+    scene.scenery[0].mesh = make_table(10.0, 4);
+    scene = build_scene(std::move(scene));
+    World world(scene);
+    HapticSample sample;
+    for (int i = 0; i < 600; ++i) {
+      sample.position = {0.001, 0.002, 0.02 - std::min(0.03, 1e-4 * i)};
+      tick(scene, sample, kDt, world);
+      REQUIRE_FALSE(world.alarm);
+      REQUIRE(world.rigid[0].position.z() > 0.0);
+    }
+  }
+}
+
 TEST_CASE("R4: a stone that is squeezed into a wall with all there is stays finite and outside") {
   const Layers layers{.side = 0.06, .cells = {12, 12, 2}};
   Scene scene = make_layer_on_table(layers, 0.003);
