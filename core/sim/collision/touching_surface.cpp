@@ -14,13 +14,13 @@ std::vector<double> invert_masses(const TissueModel& tissue) {
   std::vector<unsigned char> held(tissue.rest_position.size(), 0);
   for (const int i : tissue.fixed) held[static_cast<std::size_t>(i)] = 1;
   for (std::size_t v = 0; v < inverse.size(); ++v) {
-    bool is_held = held[v] != 0;
-    if (!tissue.skin.corners.empty()) {
-      is_held = std::ranges::all_of(tissue.skin.corners[v], [&](int particle) {
-        return held[static_cast<std::size_t>(particle)] != 0;
-      });
-    }
-    if (is_held) inverse[v] = 0.0;
+    const auto is_held = [&](int particle) {
+      return held[static_cast<std::size_t>(particle)] != 0;
+    };
+    const bool still = tissue.skin.corners.empty()
+                           ? is_held(static_cast<int>(v))
+                           : std::ranges::all_of(tissue.skin.corners[v], is_held);
+    if (still) inverse[v] = 0.0;
   }
   return inverse;
 }
