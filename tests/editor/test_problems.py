@@ -220,6 +220,7 @@ FIXABLE = {
     "constant", "choice", "open_solid",
     "indefinite", "loose", "reach", "small_tip", "no_title", "gravity", "springs_poisson",
     "locking", "coarse_contact", "hard_constant", "blown",
+    "low_rate",
 }  # fmt: skip
 
 

@@ -548,10 +548,6 @@
         <translation>yanında maxwell</translation>
     </message>
     <message>
-        <source>none yet: only soft bodies and instruments are simulated</source>
-        <translation>şimdilik hiç: yalnızca yumuşak cisimler ve aletler benzetilir</translation>
-    </message>
-    <message>
         <source>one that is stable where next to nothing is damped, as symplectic_euler: this needs %1 substeps per tick, of 10000</source>
         <translation>neredeyse hiçbir şeyin sönümlenmediği yerde kararlı olan biri, örneğin symplectic_euler: bunun her adımda 10000 yerine %1 alt adıma gereksinimi var</translation>
     </message>
@@ -3538,6 +3534,58 @@
     <message>
         <source>what it says it has</source>
         <translation>içinde olduğunu söylediği şey</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 ve %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2: %3</source>
+        <translation>%1 ve %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 bodies</source>
+        <translation>%1 cisim</translation>
+    </message>
+    <message>
+        <source>a name of its own</source>
+        <translation>kendine ait bir ad</translation>
+    </message>
+    <message>
+        <source>a published organ, .palpate</source>
+        <translation>yayımlanmış bir organ, .palpate</translation>
+    </message>
+    <message>
+        <source>a region that faces all ways</source>
+        <translation>her yöne bakan bir bölge</translation>
+    </message>
+    <message>
+        <source>a region without a triangle</source>
+        <translation>üçgeni olmayan bir bölge</translation>
+    </message>
+    <message>
+        <source>another file than was added to the layout</source>
+        <translation>yerleşime eklenenden başka bir dosya</translation>
+    </message>
+    <message>
+        <source>one side of an organ</source>
+        <translation>bir organın bir yüzü</translation>
+    </message>
+    <message>
+        <source>one, an organ that is placed</source>
+        <translation>bir tane, yerleştirilen bir organ</translation>
+    </message>
+    <message>
+        <source>some surface</source>
+        <translation>biraz yüzey</translation>
+    </message>
+    <message>
+        <source>that one; `palpate scene place %1 %2 --renew` takes this one</source>
+        <translation>o dosya; `palpate scene place %1 %2 --renew` bunu alır</translation>
+    </message>
+    <message>
+        <source>two of the bodies, each pair once</source>
+        <translation>cisimlerden ikisi, her çift bir kez</translation>
     </message>
     <message>
         <source>an element of Netgen</source>
