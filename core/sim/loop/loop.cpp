@@ -5,26 +5,13 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <limits>
-#include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
-#include <vector>
 
-#include "palpate/sim/base/private/duration_histogram.h"
-#include "palpate/sim/base/private/realtime.h"
 #include "palpate/sim/base/private/refuse.h"
-#include "palpate/sim/loop/private/device_channel.h"
-#include "palpate/sim/loop/private/pace.h"
-#include "palpate/sim/loop/private/pending_snapshot.h"
-#include "palpate/sim/loop/private/tissue_worker.h"
-#include "palpate/sim/loop/private/tree_builder.h"
-#include "palpate/sim/tick/private/cost_histograms.h"
+#include "palpate/sim/loop/private/loop_impl.h"
 #include "palpate/sim/tick/private/device_coupling.h"
-#include "palpate/sim/tick/private/follow_tissue.h"
 
 namespace palpate {
 namespace {
@@ -65,117 +52,41 @@ std::vector<HapticDevice*> list_devices(
 
 }  // namespace
 
-struct Loop::Impl {
-  Impl(const Scene& scene_in, std::span<HapticDevice* const> devices, const LoopOptions& options_in,
-       TickLog* log_in, const Task* task_in)
-      : scene(scene_in),
-        task(validated(task_in, scene.instruments.size())),
-        options(validated(options_in)),
-        log(log_in),
-        dt(1.0 / scene.rate),
-        snapshot_ticks(ticks_in(kSnapshotInterval, scene.rate)),
-        hash_ticks(ticks_in(kHashInterval, scene.rate)),
-        world(scene),
-        channels(open_channels(scene, devices, options, log)),
-        pace(list_devices(channels), scene.rate, std::llround(1e9 * options.spin)),
-        samples(channels.size()),
-        commands(channels.size()),
-        rows(channels.size()),
-        held(channels.size(), 0),
-        follows(channels.size(), false),
-        progress(task ? std::optional<Progress>(*task) : std::nullopt),
-        safeguards(world.bodies.size(), Safeguard::none),
-        snapshots(PendingSnapshot(world, progress ? progress->state : TaskState())),
-        reader(world) {
-    if (scene.exchange_rate > 0.0) tissue = std::make_unique<TissueWorker>(scene);
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      DeviceCoupling& device = world.instruments[i].device;
-      device.passive_stiffness = channels[i]->passive_stiffness();
-      device.delay = 1e-6 * channels[i]->delay_us();
-      if (!limits_coupling(scene.instruments[i], world.instruments[i])) device = {};
-      if (tissue) tissue->set_passive_stiffness(i, device.passive_stiffness);
-    }
-    for (const SoftState& body : world.bodies) {
-      if (!tissue) trees.push_back(std::make_unique<TreeBuilder>(body));
-    }
-    if (options.measures_costs) part_costs = std::make_unique<CostHistograms>(world);
-    world.measures_costs = options.measures_costs;
+Loop::Impl::Impl(const Scene& scene_in, std::span<HapticDevice* const> devices,
+                 const LoopOptions& options_in, TickLog* log_in, const Task* task_in)
+    : scene(scene_in),
+      task(validated(task_in, scene.instruments.size())),
+      options(validated(options_in)),
+      log(log_in),
+      dt(1.0 / scene.rate),
+      snapshot_ticks(ticks_in(kSnapshotInterval, scene.rate)),
+      hash_ticks(ticks_in(kHashInterval, scene.rate)),
+      world(scene),
+      channels(open_channels(scene, devices, options, log)),
+      pace(list_devices(channels), scene.rate, std::llround(1e9 * options.spin)),
+      samples(channels.size()),
+      commands(channels.size()),
+      rows(channels.size()),
+      held(channels.size(), 0),
+      follows(channels.size(), false),
+      progress(task ? std::optional<Progress>(*task) : std::nullopt),
+      safeguards(world.bodies.size(), Safeguard::none),
+      snapshots(PendingSnapshot(world, progress ? progress->state : TaskState())),
+      reader(world) {
+  if (scene.exchange_rate > 0.0) tissue = std::make_unique<TissueWorker>(scene);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    DeviceCoupling& device = world.instruments[i].device;
+    device.passive_stiffness = channels[i]->passive_stiffness();
+    device.delay = 1e-6 * channels[i]->delay_us();
+    if (!limits_coupling(scene.instruments[i], world.instruments[i])) device = {};
+    if (tissue) tissue->set_passive_stiffness(i, device.passive_stiffness);
   }
-
-  void run() noexcept;
-  void run_ticks() noexcept;
-  void run_tick(std::int64_t index, long skipped) noexcept;
-  void rest(std::int64_t index) noexcept;
-  void keep() noexcept;
-  void rest_devices() noexcept;
-  void notice_holds(long number) noexcept;
-  void notice_alarm(long number) noexcept;
-  void notice_safeguards(long number) noexcept;
-  void notice_devices(long number) noexcept;
-  void notice_couplings(long number) noexcept;
-  void judge_tick() noexcept;
-  void end_task() noexcept;
-  bool has_fault() const noexcept;
-  void publish() noexcept;
-  void serve_trees() noexcept;
-  void log_hash(long number) noexcept {
-    if (tissue) return tissue->ask_for_hash();
-    catch_up(scene, world);
-    log->push(StateHash{number, compute_hash(world)});
+  for (const SoftState& body : world.bodies) {
+    if (!tissue) trees.push_back(std::make_unique<TreeBuilder>(body));
   }
-  void tell(long number, EventKind kind, std::int32_t index, double value = 0.0,
-            std::int32_t source = 0) noexcept {
-    if (log) log->push(Event{number, kind, index, value, source});
-  }
-
-  const Scene& scene;
-  const Task* const task;
-  const LoopOptions options;
-  TickLog* const log;
-  const double dt;  // [s]
-  const long snapshot_ticks, hash_ticks;
-
-  // the haptic thread's own while it runs
-  World world;
-  std::unique_ptr<TissueWorker> tissue;                  // null where it ticks in this thread
-  std::vector<std::unique_ptr<TreeBuilder>> trees;       // per body, in the same case
-  std::vector<std::unique_ptr<DeviceChannel>> channels;  // per instrument
-  Pace pace;
-  std::vector<HapticSample> samples;    // per instrument, of the last tick, as what follows
-  std::vector<HapticCommand> commands;  // [N]
-  std::vector<TickLog::Tick> rows;
-  std::vector<int> held;                 // triangles, before the tick
-  std::vector<char> follows;             // as DeviceCoupling::follows_tissue, that were told
-  std::optional<Progress> progress;      // of the task, where there is one
-  std::vector<Safeguard> safeguards;     // per body, that were told
-  std::int64_t lateness = 0, spent = 0;  // [ns] of the last tick
-  long lost_ticks = 0;                   // had no room in the log, not yet told
-
-  // written by the haptic thread before `ready`, constant after it
-  Realtime realtime;
-  std::atomic<bool> ready{false};
-
-  // between the threads
-  Latest<PendingSnapshot> snapshots;
-  SnapshotReader reader;  // the reader's own
-  DurationHistogram latenesses, costs;
-  std::unique_ptr<CostHistograms> part_costs;  // null unless they are measured
-  std::atomic<long> ticks{0}, missed{0}, safeguarded{0};
-  Alarm alarm;  // constant once has_alarm is set
-  int alarm_body = -1;
-  std::atomic<bool> has_alarm{false};
-  std::atomic<Outcome> outcome{Outcome::running};
-  Alarm averted;  // constant once has_averted is set
-  int averted_body = -1;
-  std::atomic<bool> has_averted{false};
-  std::atomic<bool> stopping{false}, running{false};
-  std::atomic<bool> pausing{false}, resting{false};  // asked for by others, done by this thread
-  std::mutex ending;
-  std::condition_variable ended;
-  bool has_ended = false;
-
-  std::thread thread;
-};
+  if (options.measures_costs) part_costs = std::make_unique<CostHistograms>(world);
+  world.measures_costs = options.measures_costs;
+}
 
 void Loop::Impl::run() noexcept {
   world.follows_all = false;
@@ -195,15 +106,6 @@ void Loop::Impl::run() noexcept {
 
 /// A due time that passes while an earlier tick is still at work is skipped, so the thread never
 /// hurries after the clock and always comes to sleep.
-namespace {
-
-/// What follows a tool: places that it is fastened to, or that both its jaws stick to.
-int count_held(const ToolState& tool) noexcept {
-  return tool.hold_count > 0 ? tool.hold_count : tool.pinches ? tool.anchor_count : 0;
-}
-
-}  // namespace
-
 void Loop::Impl::run_ticks() noexcept {
   const std::int64_t end = options.duration > 0.0 ? ticks_in(options.duration, scene.rate)
                                                   : std::numeric_limits<std::int64_t>::max();
@@ -344,65 +246,6 @@ void Loop::Impl::keep() noexcept {
     lost_ticks = 0;
   }
   if ((number + 1) % hash_ticks == 0) log_hash(number);
-}
-
-void Loop::Impl::notice_holds(long number) noexcept {
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    const int now = count_held(world.instruments[i].tool);
-    const auto instrument = static_cast<std::int32_t>(i);
-    if (held[i] == 0 && now > 0) tell(number, EventKind::attached, now, 0.0, instrument);
-    if (held[i] > 0 && now == 0) tell(number, EventKind::released, held[i], 0.0, instrument);
-  }
-}
-
-void Loop::Impl::notice_safeguards(long number) noexcept {
-  bool any = false;
-  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
-    const SoftState& body = world.bodies[b];
-    any = any || body.safeguard != Safeguard::none;
-    if (body.safeguard == safeguards[b]) continue;
-    const bool averts = body.safeguard > safeguards[b];
-    safeguards[b] = body.safeguard;
-    if (averts && !world.alarm && !has_averted.load(std::memory_order_relaxed)) {
-      averted = body.averted;
-      averted_body = static_cast<int>(b);
-      has_averted.store(true, std::memory_order_release);
-    }
-    tell(number, EventKind::safeguard, static_cast<std::int32_t>(body.safeguard),
-         averts ? static_cast<double>(body.averted.kind) : 0.0, static_cast<std::int32_t>(b));
-  }
-  if (any && !world.alarm) safeguarded.fetch_add(1, std::memory_order_relaxed);
-}
-
-void Loop::Impl::notice_alarm(long number) noexcept {
-  if (!world.alarm || has_alarm.load(std::memory_order_relaxed)) return;
-  alarm = world.alarm;
-  alarm_body = world.alarm_body;
-  has_alarm.store(true, std::memory_order_release);
-  tell(number, EventKind::alarm, static_cast<std::int32_t>(alarm.kind), alarm.value,
-       std::max(alarm_body, 0));
-}
-
-void Loop::Impl::notice_devices(long number) noexcept {
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    channels[i]->notice(number, static_cast<int>(i), log);
-    channels[i]->notice_damping(number, static_cast<int>(i), log);
-  }
-}
-
-/// What bounds the hand's springs is told in the first tick, before which a replay takes it over.
-void Loop::Impl::notice_couplings(long number) noexcept {
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    const DeviceCoupling& device = world.instruments[i].device;
-    const auto instrument = static_cast<std::int32_t>(i);
-    if (number == 0 && device.passive_stiffness > 0.0) {
-      tell(number, EventKind::coupling_limited, channels[i]->delay_us(), device.passive_stiffness,
-           instrument);
-    }
-    if (device.follows_tissue == bool(follows[i])) continue;
-    follows[i] = device.follows_tissue;
-    tell(number, EventKind::coupling_follows, follows[i], device.tissue, instrument);
-  }
 }
 
 bool Loop::Impl::has_fault() const noexcept {
