@@ -176,7 +176,7 @@ Nearest find_nearest_at_rest(const TissueModel& first, const TissueModel& second
 
 Nearest find_deepest_at_rest(const TissueModel& tissue, const SurfaceMesh& mesh) {
   constexpr double kRounding = 1e-9;  // [m]
-  const std::vector<double> inverse_mass = SurfaceTouch(tissue).inverse_mass;
+  const std::vector<double> inverse_mass = invert_surface_masses(tissue);
   const auto is_held = [&](int v) { return inverse_mass[static_cast<std::size_t>(v)] == 0.0; };
   Nearest deepest{0.0, -1, true};
   const RestSurface body(tissue), hard(mesh.vertices, mesh.triangles);

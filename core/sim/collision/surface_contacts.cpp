@@ -6,6 +6,7 @@
 
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
+#include "palpate/sim/tree/private/box_distance.h"
 #include "palpate/sim/tree/queries.h"
 
 namespace palpate {
@@ -64,11 +65,6 @@ std::vector<unsigned char> mark_border(std::span<const Triangle> triangles, std:
     for (const int v : topology.edges[e]) on_border[static_cast<std::size_t>(v)] = 1;
   }
   return on_border;
-}
-
-/// [m] From a point to the box around a surface.
-double measure_to_box(const Vec3& p, const AabbTree& tree) noexcept {
-  return (tree.low() - p).cwiseMax(p - tree.high()).cwiseMax(0.0).norm();
 }
 
 bool is_excluded(const SurfaceContacts& contacts, std::size_t v, int triangle) noexcept {

@@ -5,10 +5,8 @@
 #include <cmath>
 
 namespace palpate {
-namespace {
 
-/// Of a vertex whose particles are all held, 0: nothing moves it.
-std::vector<double> invert_masses(const TissueModel& tissue) {
+std::vector<double> invert_surface_masses(const TissueModel& tissue) {
   std::vector<double> inverse = compute_surface_mass(tissue);
   for (double& mass : inverse) mass = 1.0 / mass;
   std::vector<unsigned char> held(tissue.rest_position.size(), 0);
@@ -25,11 +23,9 @@ std::vector<double> invert_masses(const TissueModel& tissue) {
   return inverse;
 }
 
-}  // namespace
-
 SurfaceTouch::SurfaceTouch(const TissueModel& tissue)
     : SurfaceMotion(static_cast<std::size_t>(surface_count(tissue))),
-      inverse_mass(invert_masses(tissue)) {
+      inverse_mass(invert_surface_masses(tissue)) {
   const std::size_t count = inverse_mass.size();
   corner.assign(count, {0, 0});
   for (std::size_t t = 0; t < tissue.triangles.size(); ++t) {

@@ -13,6 +13,7 @@
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
 #include "palpate/sim/implicit/private/step_solver.h"
+#include "palpate/sim/mesh/private/triangle_areas.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
@@ -262,18 +263,6 @@ void validate(const Scene& scene) {
   }
 }
 
-std::vector<double> compute_rest_areas(const TissueModel& tissue) {
-  std::vector<double> areas;
-  areas.reserve(tissue.triangles.size());
-  const Vec3Array rest = compute_surface(tissue, tissue.rest_position);
-  for (const auto& [i, j, k] : tissue.triangles) {
-    const Vec3 a = rest[j] - rest[i];
-    const Vec3 b = rest[k] - rest[i];
-    areas.push_back(0.5 * a.cross(b).norm());
-  }
-  return areas;
-}
-
 /// A linear solid answers from its response, unless the reference is asked for: then its masses
 /// swing as those of any other tissue, and every substep costs a pass over the tetrahedra. Vector
 /// code has symplectic Euler alone. Said in the scene, so that a record tells what ran.
@@ -396,7 +385,8 @@ Scene build_scene(Scene scene) {
     SoftBody& body = scene.bodies[b];
     choose_kernel(scene.gravity, place, body);
     if (body.iterations == 0) body.iterations = usual_iterations(body.integrator);
-    body.rest_areas = compute_rest_areas(body.tissue);
+    body.rest_areas = compute_triangle_areas(
+        compute_surface(body.tissue, body.tissue.rest_position), body.tissue.triangles);
     fill_spectrum(body);
     choose_substeps(scene.rate, place, body);
     build_contact(find_largest_reach(scene), body);

@@ -19,6 +19,9 @@ struct SurfaceMotion {
   double move = 0.0;      ///< [m] of any vertex since, at most (follow_move)
 };
 
+/// [1/kg] per vertex of a surface; 0 of one whose particles are all held, as nothing moves it.
+std::vector<double> invert_surface_masses(const TissueModel& tissue);
+
 /// What is known within a tick of a surface that may touch others.
 struct SurfaceTouch : SurfaceMotion {
   SurfaceTouch() = default;

@@ -8,6 +8,7 @@
 #include "palpate/sim/packed/private/packed_checkpoint.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/safeguard.h"
+#include "palpate/sim/tree/private/box_distance.h"
 
 namespace palpate {
 namespace {
@@ -147,8 +148,7 @@ void meet_scenery(World& world) noexcept {
     SceneryContact& pair = world.scenery_contacts[s];
     SoftState& body = world.bodies[at(pair.body)];
     const AabbTree& scenery = workspace(world).hard[at(pair.scenery)].tree;
-    const Vec3 gap = (body.tree.low() - scenery.high()).cwiseMax(scenery.low() - body.tree.high());
-    const double between = gap.cwiseMax(0.0).norm() - bound_lag(body);
+    const double between = measure_between(body.tree, scenery) - bound_lag(body);
     pair.near = between < (pair.near ? 2.0 : 1.0) * kMeeting;
     if (pair.near) internals(body).meets = true;
   }

@@ -9,6 +9,7 @@
 #include "palpate/sim/collision/private/choose_barrier.h"
 #include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
+#include "palpate/sim/tree/private/box_distance.h"
 
 namespace palpate {
 namespace {
@@ -22,8 +23,7 @@ constexpr double kLongestApproach = 0.3;
 
 /// [m] Between the boxes of two surfaces, each grown by what its tree may be behind.
 double measure_between(const SoftState& a, const SoftState& b) noexcept {
-  const Vec3 gap = (a.tree.low() - b.tree.high()).cwiseMax(b.tree.low() - a.tree.high());
-  return gap.cwiseMax(0.0).norm() - bound_lag(a) - bound_lag(b);
+  return measure_between(a.tree, b.tree) - bound_lag(a) - bound_lag(b);
 }
 
 TouchingSurface view_surface(const Scene& scene, std::size_t body, World& world) noexcept {

@@ -6,6 +6,7 @@
 #include "palpate/sim/contact/private/axes.h"
 #include "palpate/sim/contact/private/broad_phase.h"
 #include "palpate/sim/grasp/private/jaws.h"
+#include "palpate/sim/mesh/private/triangle_areas.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/tick.h"
 
@@ -17,14 +18,8 @@ namespace {
 constexpr double kHard = 1e5;
 
 std::vector<double> find_areas(const SurfaceMesh& mesh, const Tool& tool, double least) {
-  std::vector<double> areas;
-  areas.reserve(mesh.triangles.size());
-  for (const auto& [i, j, k] : mesh.triangles) {
-    const Vec3 a = mesh.vertices[static_cast<std::size_t>(i)];
-    const Vec3 b = mesh.vertices[static_cast<std::size_t>(j)];
-    const Vec3 c = mesh.vertices[static_cast<std::size_t>(k)];
-    areas.push_back(std::max(0.5 * (b - a).cross(c - a).norm(), least / tool.stiffness));
-  }
+  std::vector<double> areas = compute_triangle_areas(mesh.vertices, mesh.triangles);
+  for (double& area : areas) area = std::max(area, least / tool.stiffness);
   return areas;
 }
 

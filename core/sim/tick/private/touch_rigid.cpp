@@ -7,6 +7,7 @@
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/rigid_touch.h"
 #include "palpate/sim/tick/private/touch_hard.h"
+#include "palpate/sim/tree/private/box_distance.h"
 #include "palpate/sim/tree/queries.h"
 
 namespace palpate {
@@ -55,11 +56,6 @@ void take_row(const Scene& scene, std::size_t b, World& world) noexcept {
     }
   }
   rigid.row[b] = most;
-}
-
-/// [m] From a body's centre to a box.
-double measure_to_box(const Vec3& p, const AabbTree& tree) noexcept {
-  return (tree.low() - p).cwiseMax(p - tree.high()).cwiseMax(0.0).norm();
 }
 
 /// [m] How far beyond its radius a sphere looks in a tick of dt [s].
