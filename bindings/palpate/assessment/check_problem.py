@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One thing that is wrong with an assessment."""
+"""One thing that is wrong with an assessment, or with a layout of organs."""
 
 from __future__ import annotations
 
@@ -13,6 +13,6 @@ class Problem:
     """Where it is, and what, in a sentence."""
 
     severity: str
-    """ERROR or WARNING."""
+    """ERROR or WARNING, or another that its checker says."""
     where: str
     message: str

@@ -11,6 +11,7 @@ import numpy as np
 
 import palpate
 from palpate import FileError
+from palpate.assessment.check_problem import ERROR, WARNING, Problem
 from palpate.files.refusal import Refusal
 from palpate.layout.assemble import Assembly, build, read_assembly, separate_bodies
 from palpate.layout.costs import PairCosts, press_pair
@@ -20,16 +21,8 @@ from palpate.layout.placed import read_placed
 from palpate.layout.separate import MOST_SHIFT, Separation
 from palpate.scene.tick_cost import TICK_SHARE
 
-ERROR, WARNING, NOTE = "error", "warning", "note"
-
-
-@dataclass(frozen=True)
-class Problem:
-    """Something wrong, doubtful, or done to the layout."""
-
-    severity: str
-    where: str
-    message: str
+NOTE = "note"
+"""The severity of what was done to the layout, or is good to know of it."""
 
 
 @dataclass(frozen=True)

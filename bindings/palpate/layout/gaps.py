@@ -39,7 +39,7 @@ class Surface:
         cross = np.cross(x[triangles[:, 1]] - x[triangles[:, 0]],
                          x[triangles[:, 2]] - x[triangles[:, 0]])  # fmt: skip
         self.normals = cross / np.linalg.norm(cross, axis=1)[:, None]
-        self.border = find_border(triangles)
+        self.border = {int(v) for loop in palpate.find_border_loops(triangles) for v in loop}
         self.around: dict[int, list[int]] = {}
         for t, row in enumerate(triangles):
             for v in row:
@@ -74,13 +74,6 @@ class Surface:
         meet = set.intersection(*(set(self.around[int(v)]) for v in corners))
         heights = self.normals[sorted(meet)] @ offset
         return float(heights[np.argmax(np.abs(heights))])
-
-
-def find_border(triangles: Ints) -> set[int]:
-    """The vertices of sides that have one triangle."""
-    sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
-    found, count = np.unique(sides, axis=0, return_counts=True)
-    return set(found[count == 1].ravel().tolist())
 
 
 def find_gaps(still: Surface, moved: Surface, reach: float, shift: Floats) -> list[Gap]:
