@@ -134,7 +134,7 @@ def test_what_cannot_be_done_is_refused_and_leaves_the_layout_as_it_was(
     assert layout.read_bytes() == before
 
 
-def test_a_changed_organ_is_told_and_can_be_taken_anew(layout, tmp_path, capsys):
+def test_a_changed_organ_is_told_and_its_new_file_can_be_taken(layout, tmp_path, capsys):
     write_organ(tmp_path, "organ", rate=800.0)
     told = say(capsys, "check", layout, "--quick")
     assert told["code"] == 1

@@ -84,7 +84,7 @@ Vec3 rub(const RigidView& body, std::size_t s, const Vec3& sum, const Vec3& ther
       pull_bristle(body.bristle(kBristlePart * body.fixed.contact_stiffness), there - here,
                    velocity - velocity_at(body.state, here), sum / pressed, pressed, slip);
   bristle.place += body.state.orientation.conjugate() * slip;
-  // rolled on, or left behind: it takes hold anew
+  // the contact has rolled away from it: it is placed again in the next substep
   const double r = body.fixed.sphere_radii[s];
   const Vec3 arm = here - (body.moved.centre[s] - r * sum / pressed);
   if (arm.norm() > 0.5 * r) bristle.holds = false;

@@ -98,7 +98,7 @@ void add_friction(const RigidView& body, std::size_t s, const SoftBody& soft,
   const Vec3 pull =
       pull_bristle(body.bristle(kTissueBristle), there - here, speed, normal, pressed, slip);
   bristle.place += body.state.orientation.conjugate() * slip;
-  // what has been left far behind is taken hold of anew
+  // one that the contact has moved away from is placed again in the next substep
   if ((here - body.moved.centre[s]).norm() > 2.0 * body.fixed.sphere_radii[s]) {
     bristle.holds = false;
   }
