@@ -64,6 +64,16 @@ def write_painted_obj(path: Path, picture: bytes | None, options: str = "") -> P
     return path
 
 
+def write_chunks(path: Path, content: dict, body: bytes) -> Path:
+    """[Khronos glTF 2.0] A .glb of its JSON and its bytes, which are padded to 4."""
+    text = json.dumps(content).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text
+    chunks += struct.pack("<I4s", len(body), b"BIN\0") + body
+    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
+    return path
+
+
 def write_painted_glb(path: Path, picture: bytes, factor: tuple[float, ...] = (1, 1, 1)) -> Path:
     """With the picture inside; places on it are from the upper left, as glTF has them."""
     x, triangles, places = build_ball()
@@ -95,13 +105,7 @@ def write_painted_glb(path: Path, picture: bytes, factor: tuple[float, ...] = (1
             {"bufferView": 2, "componentType": 5125, "count": triangles.size, "type": "SCALAR"},
         ],
     }  # fmt: skip
-    text = json.dumps(content).encode()
-    text += b" " * (-len(text) % 4)
-    body = b"".join(pieces)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text
-    chunks += struct.pack("<I4s", len(body), b"BIN\0") + body
-    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
-    return path
+    return write_chunks(path, content, b"".join(pieces))
 
 
 JPEG = base64.b64decode(

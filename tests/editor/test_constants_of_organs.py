@@ -28,101 +28,59 @@ RADIUS, FORCE, RATE = (
 """What build_scene refuses with the range that it takes."""
 LOW_RATE = "low_rate at hand.rate, mended"
 
+TOOL_AND_HAND = {
+    "tool.radius": (RADIUS, RADIUS),
+    "tool.trocar_height": (REFUSED, BORNE),
+    "tool.grip_force": (REFUSED, BORNE),
+    "hand.force_max": (FORCE, BORNE),
+    "hand.rate": (RATE, LOW_RATE),
+}
+HARD_DAMPING = ("hard_constant at material.damping_ratio, mended", BORNE)
+HARD_MODULUS = ("hard_constant at material.young_modulus, mended", BORNE)
+LIGHT = (BORNE, "hard_constant at material.density, mended")
+SOLID = TOOL_AND_HAND | {
+    "material.density": LIGHT,
+    "material.damping_ratio": HARD_DAMPING,
+    "material.young_modulus": HARD_MODULUS,
+    "material.poisson_ratio": (REFUSED, "tissue at material: poisson_ratio"),
+}
+
+
+def find_wall_verdicts(triangle: int) -> dict[str, tuple[str, str]]:
+    """Of walls of prisms, whose first triangle a wall too thick does not fit."""
+    return TOOL_AND_HAND | {
+        "material.damping_ratio": HARD_DAMPING,
+        "material.wall_thickness": (
+            f"tissue at mesh: triangle {triangle}",
+            "hard_constant at material.wall_thickness, mended",
+        ),
+        "material.poisson_ratio": (REFUSED, BORNE),
+    }
+
+
 WRONG = {
-    "kidney_stone": {
+    "kidney_stone": TOOL_AND_HAND
+    | {
         "material.young_modulus": (BORNE, "all_fixed at fixed"),
         "material.poisson_ratio": (REFUSED, BORNE),
-        "tool.radius": (RADIUS, RADIUS),
-        "tool.trocar_height": (REFUSED, BORNE),
-        "tool.grip_force": (REFUSED, BORNE),
-        "hand.force_max": (FORCE, BORNE),
         "hand.rate": (RATE, BORNE),
     },
-    "simple_tissue": {
-        "material.damping_ratio": ("hard_constant at material.damping_ratio, mended", BORNE),
-        "material.wall_thickness": (
-            "tissue at mesh: triangle 0",
-            "hard_constant at material.wall_thickness, mended",
-        ),
-        "material.poisson_ratio": (REFUSED, BORNE),
-        "tool.radius": (RADIUS, RADIUS),
-        "tool.trocar_height": (REFUSED, BORNE),
-        "tool.grip_force": (REFUSED, BORNE),
-        "hand.force_max": (FORCE, ENDED),
-        "hand.rate": (RATE, LOW_RATE),
-    },
-    "gallbladder": {
-        "material.density": (BORNE, "hard_constant at material.density, mended"),
-        "material.damping_ratio": ("hard_constant at material.damping_ratio, mended", BORNE),
-        "material.wall_thickness": (
-            "tissue at mesh: triangle 16",
-            "hard_constant at material.wall_thickness, mended",
-        ),
-        "material.young_modulus": ("hard_constant at material.young_modulus, mended", BORNE),
-        "material.poisson_ratio": (REFUSED, BORNE),
-        "tool.radius": (RADIUS, RADIUS),
-        "tool.trocar_height": (REFUSED, BORNE),
-        "tool.grip_force": (REFUSED, BORNE),
-        "hand.force_max": (FORCE, BORNE),
+    "simple_tissue": find_wall_verdicts(0) | {"hand.force_max": (FORCE, ENDED)},
+    "gallbladder": find_wall_verdicts(16)
+    | {
+        "material.density": LIGHT,
+        "material.young_modulus": HARD_MODULUS,
         "hand.rate": (RATE, "tissue at scene: tissue"),
     },
-    "spleen": {
-        "material.density": (BORNE, "hard_constant at material.density, mended"),
-        "material.damping_ratio": ("hard_constant at material.damping_ratio, mended", BORNE),
-        "material.young_modulus": ("hard_constant at material.young_modulus, mended", BORNE),
-        "material.poisson_ratio": (REFUSED, "tissue at material: poisson_ratio"),
-        "tool.radius": (RADIUS, RADIUS),
-        "tool.trocar_height": (REFUSED, BORNE),
-        "tool.grip_force": (REFUSED, BORNE),
-        "hand.force_max": (FORCE, BORNE),
-        "hand.rate": (RATE, LOW_RATE),
-    },
-    "stomach": {
-        "material.density": (BORNE, "hard_constant at material.density, mended"),
-        "material.damping_ratio": ("hard_constant at material.damping_ratio, mended", BORNE),
-        "material.wall_thickness": (
-            "tissue at mesh: triangle 26",
-            "hard_constant at material.wall_thickness, mended",
-        ),
-        "material.young_modulus": ("hard_constant at material.young_modulus, mended", BORNE),
-        "material.poisson_ratio": (REFUSED, BORNE),
-        "tool.radius": (RADIUS, RADIUS),
-        "tool.trocar_height": (REFUSED, BORNE),
-        "tool.grip_force": (REFUSED, BORNE),
-        "hand.force_max": (FORCE, BORNE),
-        "hand.rate": (RATE, LOW_RATE),
-    },
-    "collecting_system": {
-        "material.density": (BORNE, "hard_constant at material.density, mended"),
-        "material.damping_ratio": ("hard_constant at material.damping_ratio, mended", BORNE),
-        "material.young_modulus": ("hard_constant at material.young_modulus, mended", BORNE),
-        "material.poisson_ratio": (REFUSED, "tissue at material: poisson_ratio"),
-        "tool.radius": (RADIUS, RADIUS),
-        "tool.trocar_height": (REFUSED, BORNE),
-        "tool.grip_force": (REFUSED, BORNE),
-        "hand.force_max": (FORCE, BORNE),
-        "hand.rate": (RATE, LOW_RATE),
-    },
-    "kidney": {
-        "material.density": (BORNE, "hard_constant at material.density, mended"),
-        "material.damping_ratio": ("hard_constant at material.damping_ratio, mended", BORNE),
-        "material.young_modulus": ("hard_constant at material.young_modulus, mended", BORNE),
-        "material.poisson_ratio": (REFUSED, "tissue at material: poisson_ratio"),
-        "tool.radius": (RADIUS, RADIUS),
-        "tool.trocar_height": (REFUSED, BORNE),
-        "tool.grip_force": (REFUSED, BORNE),
-        "hand.force_max": (FORCE, BORNE),
-        "hand.rate": (RATE, LOW_RATE),
-    },
-    "liver": {
+    "spleen": SOLID,
+    "stomach": find_wall_verdicts(26)
+    | {"material.density": LIGHT, "material.young_modulus": HARD_MODULUS},
+    "collecting_system": SOLID,
+    "kidney": SOLID,
+    "liver": SOLID
+    | {
         "material.density": (BORNE, "late_tick at tick"),
-        "material.damping_ratio": ("hard_constant at material.damping_ratio, mended", BORNE),
         "material.young_modulus": ("late_tick at tick", BORNE),
-        "material.poisson_ratio": (REFUSED, "tissue at material: poisson_ratio"),
-        "tool.radius": (RADIUS, RADIUS),
-        "tool.trocar_height": (REFUSED, BORNE),
-        "tool.grip_force": (REFUSED, BORNE),
-        "hand.force_max": (FORCE, BORNE),
         "hand.rate": (RATE, BORNE),
     },
 }

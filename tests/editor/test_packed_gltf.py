@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from painted_files import build_ball, draw_halves, write_painted_glb, write_png
+from painted_files import build_ball, draw_halves, write_chunks, write_painted_glb, write_png
 from palpate import FileError
 from palpate_editor import formats
 from palpate_editor.authoring import read_mesh
@@ -37,13 +37,7 @@ def write_glb(
     if stride is not None:
         views[0]["byteStride"] = stride
     content = {"bufferViews": views, "buffers": [{"byteLength": starts[-1]}], **content}
-    text = json.dumps(content).encode()
-    text += b" " * (-len(text) % 4)
-    body = b"".join(padded)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text
-    chunks += struct.pack("<I4s", len(body), b"BIN\0") + body
-    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
-    return path
+    return write_chunks(path, content, b"".join(padded))
 
 
 def build_scene(primitive: dict[str, Any], extension: str, **more: Any) -> dict[str, Any]:
