@@ -122,6 +122,8 @@ def build_style(name: str, letter: float) -> str:
     QPushButton#main {{ color: {as_css(accents.on_accent)}; background: {accent};
         font-weight: 600; border: 1px solid transparent; }}
     QPushButton#main:hover, QPushButton#main:focus {{ border: 1px solid {text}; }}
+    QPushButton:disabled, QPushButton#main:disabled, QComboBox:disabled {{
+        color: {as_css(theme.text, 0.35)}; background: {raised}; border: 1px solid transparent; }}
     QPushButton:checked {{ border: 1px solid {accent}; color: {accent};
         font-weight: 600; }}
     """
