@@ -23,13 +23,13 @@ def make_hostile_folder(folder: Path) -> Path:
     folder.mkdir()
     code = CODE.format(mark=str(folder / MARK))
     for name in NAMES:
-        (folder / f"{name}.py").write_text(code)
+        (folder / f"{name}.py").write_text(code, encoding="utf-8")
         (folder / name).mkdir()
-        (folder / name / "__init__.py").write_text(code)
+        (folder / name / "__init__.py").write_text(code, encoding="utf-8")
     return folder
 
 
 def list_run(folder: Path) -> str:
     """The names of what was run, "" where nothing was."""
     mark = folder / MARK
-    return mark.read_text() if mark.exists() else ""
+    return mark.read_text(encoding="utf-8") if mark.exists() else ""

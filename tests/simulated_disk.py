@@ -51,7 +51,7 @@ def run_traced(
         "PALPATE_DISK_FAIL": fail,
     }
     return subprocess.run(
-        list(map(str, command)), env=env, capture_output=True, text=True, check=False
+        list(map(str, command)), env=env, capture_output=True, encoding="utf-8", check=False
     )
 
 

@@ -13,7 +13,7 @@ def list_environment(folder: Path, size: tuple[int, int], factor: float) -> dict
     screen = {"name": "small", "x": 0, "y": 0, "width": size[0], "height": size[1]}
     screen |= {"logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}
     config = folder / "screens.json"
-    config.write_text(json.dumps({"screens": [screen]}))
+    config.write_text(json.dumps({"screens": [screen]}), encoding="utf-8")
     return os.environ | {
         "QT_QPA_PLATFORM": f"offscreen:configfile={config}",
         "QT_SCALE_FACTOR": str(factor),

@@ -47,7 +47,7 @@ def describe_commit() -> str:
 
     def git(*words: str) -> str:
         done = subprocess.run(
-            ["git", *words], cwd=PAGE.parent, capture_output=True, text=True, check=True
+            ["git", *words], cwd=PAGE.parent, capture_output=True, encoding="utf-8", check=True
         )
         return done.stdout.strip()
 
@@ -89,7 +89,7 @@ def read_tests(paths: list[Path]) -> tuple[str, str, str]:
 
 
 def read_soak(path: Path) -> tuple[str, str, str]:
-    report = json.loads(path.read_text())
+    report = json.loads(path.read_text(encoding="utf-8"))
     ran = (
         f"{sum(report['runs'].values())} runs, {report['ticks']} ticks, "
         f"{report['missed_ticks']} missed; memory "
@@ -116,7 +116,9 @@ def main() -> int:
     if call.results:
         ran, coverage, failures = read_tests(call.results)
     elif call.fuzz:
-        ran, coverage, failures = read_fuzz_log(call.fuzz.read_text(errors="replace"))
+        ran, coverage, failures = read_fuzz_log(
+            call.fuzz.read_text(errors="replace", encoding="utf-8")
+        )
     elif call.soak:
         ran, coverage, failures = read_soak(call.soak)
     if call.failed and failures == "none":
@@ -124,7 +126,7 @@ def main() -> int:
     now = datetime.now(UTC).strftime("%Y-%m-%d %H:%M")
     commit = call.commit or describe_commit()
     row = Row(call.part, commit, now, f"{call.seconds:.0f}", ran, coverage, failures)
-    PAGE.write_text(write_page(PAGE.read_text(), row))
+    PAGE.write_text(write_page(PAGE.read_text(encoding="utf-8"), row), encoding="utf-8")
     print(row.line())
     return 0 if failures == "none" else 1
 

@@ -263,12 +263,8 @@ def touch(
 
 def run_elsewhere(verb: str, *arguments: object) -> Report:
     """A verb in a new process, which shares nothing with this one but the files."""
-    done = subprocess.run(
-        build_verb(verb, *arguments, "--json"),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    words = build_verb(verb, *arguments, "--json")
+    done = subprocess.run(words, capture_output=True, encoding="utf-8", check=False)
     if done.returncode not in (0, 1) or not done.stdout:
         raise RuntimeError(f"`palpate {verb} {arguments[0]}` failed: {done.stderr.strip()}")
     report = json.loads(done.stdout)

@@ -98,7 +98,7 @@ def run_guarded(
         finished = run(folder, seconds)
         refused = folder / "refused.json"
         if refused.exists():
-            kind, sentence = json.loads(refused.read_text())
+            kind, sentence = json.loads(refused.read_text(encoding="utf-8"))
             if kind == "MemoryError":
                 sentence = f"it needs more than {MEMORY // 1_000_000_000} GB of memory"
             raise GuardedError(sentence)

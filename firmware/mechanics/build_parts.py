@@ -25,7 +25,11 @@ Array = NDArray[np.float64]
 ROOM = Path(__file__).parent
 SOURCES = ("parameters.scad", "shapes.scad", "parts.scad")
 NAMES = tuple(
-    re.findall(r'^(?:else )?if \(part == "(\w+)"\)', (ROOM / "parts.scad").read_text(), re.M)
+    re.findall(
+        r'^(?:else )?if \(part == "(\w+)"\)',
+        (ROOM / "parts.scad").read_text(encoding="utf-8"),
+        re.M,
+    )
 )
 HOME = (0.0, 30.0, 30.0)
 """[degrees] Yaw, elevation, forearm from straight down."""
@@ -54,7 +58,7 @@ def build_part(name: str, out: Path) -> Path:
     """
     key = hashlib.sha256(b"".join((ROOM / source).read_bytes() for source in SOURCES)).hexdigest()
     target, mark = out / f"{name}.stl", out / f"{name}.sha256"
-    if target.exists() and mark.exists() and mark.read_text() == key:
+    if target.exists() and mark.exists() and mark.read_text(encoding="utf-8") == key:
         return target
     out.mkdir(parents=True, exist_ok=True)
     new = out / f"{name}.new.stl"
@@ -62,7 +66,7 @@ def build_part(name: str, out: Path) -> Path:
         done = subprocess.run(
             ["openscad", "-q", "-D", f'part="{name}"', "-o", new, ROOM / "parts.scad"],
             capture_output=True,
-            text=True,
+            encoding="utf-8",
             env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
         )
     except FileNotFoundError:
@@ -70,7 +74,7 @@ def build_part(name: str, out: Path) -> Path:
     if done.returncode != 0 or not new.exists():
         sys.exit(f"{name}: openscad could not make it\n{done.stderr}")
     os.replace(new, target)
-    mark.write_text(key)
+    mark.write_text(key, encoding="utf-8")
     return target
 
 

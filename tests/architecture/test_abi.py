@@ -27,7 +27,7 @@ LAYOUT = re.compile(r"^Class (palpate::\S+)\n +size=(\d+) align=(\d+)", re.MULTI
 
 
 def require(*command: str | Path, cwd: Path | None = None) -> str:
-    done = subprocess.run(command, capture_output=True, text=True, cwd=cwd)
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", cwd=cwd)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 

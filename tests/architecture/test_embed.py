@@ -15,7 +15,7 @@ ABSENT = ("ZLIB", "OpenSSL", "hwy", "CGAL", "assimp", "OpenMesh", "doctest", "py
 
 
 def run(*command: str | Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(command, capture_output=True, text=True)
+    return subprocess.run(command, capture_output=True, encoding="utf-8")
 
 
 def require(*command: str | Path) -> str:

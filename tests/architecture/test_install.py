@@ -52,7 +52,7 @@ def test_the_umbrella_header_includes_every_header_that_is_installed_and_no_othe
 
 def test_the_version_header_is_that_of_the_project_and_of_the_library(prefix, tmp_path):
     (version,) = re.findall(
-        r"project\(palpate VERSION (\S+)", (CHECKOUT / "CMakeLists.txt").read_text()
+        r"project\(palpate VERSION (\S+)", (CHECKOUT / "CMakeLists.txt").read_text(encoding="utf-8")
     )
     (tmp_path / "main.cpp").write_text(
         '#include <cstdio>\n#include "palpate/version.h"\n'
@@ -60,7 +60,8 @@ def test_the_version_header_is_that_of_the_project_and_of_the_library(prefix, tm
         '  std::printf("%d.%d.%d %s %s", PALPATE_VERSION_MAJOR, PALPATE_VERSION_MINOR,\n'
         "              PALPATE_VERSION_PATCH, PALPATE_VERSION_STRING,\n"
         "              palpate::library_version());\n"
-        "}\n"
+        "}\n",
+        encoding="utf-8",
     )
     (library,) = prefix.rglob("libpalpate_sim.a")
     run("g++", "-std=c++20", "-I", prefix / "include", tmp_path / "main.cpp", library,

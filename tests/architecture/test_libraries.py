@@ -33,7 +33,7 @@ ALLOWED = {
 
 
 def run(*command: str | Path) -> str:
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    return subprocess.run(command, capture_output=True, encoding="utf-8", check=True).stdout
 
 
 @pytest.mark.parametrize("built", ALLOWED, ids=lambda path: path.name.split(".")[0])

@@ -17,7 +17,7 @@ TICKS = 1000
 
 
 def run(*command: str | Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(command, capture_output=True, text=True)
+    return subprocess.run(command, capture_output=True, encoding="utf-8")
 
 
 def require(*command: str | Path) -> None:
@@ -29,7 +29,7 @@ def build_player(flags: str = "") -> Path:
     """The example, compiled with these flags against what the release build installs. Its folder
     stays, so a second run is quick; another test's process may want it at the same time."""
     build = CHECKOUT / "build" / ("play" + flags.replace(" ", ""))
-    with (CHECKOUT / "build/play.lock").open("w") as lock:
+    with (CHECKOUT / "build/play.lock").open("w", encoding="utf-8") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         prefix = install(CHECKOUT / "build/release", "play-prefix")
         require("cmake", "-S", CHECKOUT / "tests/examples/play_a_scenario", "-B", build,

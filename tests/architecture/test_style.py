@@ -13,7 +13,7 @@ BIN = Path(sys.executable).parent
 
 
 def complaints(*command: str | Path) -> str:
-    done = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=CHECKOUT, capture_output=True, encoding="utf-8")
     return "" if done.returncode == 0 else done.stdout + done.stderr
 
 

@@ -39,12 +39,12 @@ def print_summary(
     """Exit code and all lines for these result files."""
     files = [tmp_path / f"{i}.xml" for i in range(len(results))]
     for file, text in zip(files, results, strict=True):
-        file.write_text(text)
+        file.write_text(text, encoding="utf-8")
     options = [] if allowed is None else ["--every-skip-allowed-by", allowed]
     done = subprocess.run(
         [sys.executable, CHECKOUT / "tests/summarise.py", *files, *options],
         capture_output=True,
-        text=True,
+        encoding="utf-8",
     )
     return done.returncode, done.stdout.splitlines()
 

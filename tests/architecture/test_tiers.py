@@ -32,7 +32,7 @@ def test_the_whole_sweep(): pass
 def collect(folder: Path, *options: str) -> set[str]:
     """The names of the tests of a file that pytest, with our settings, would run."""
     file = folder / "test_sweeps.py"
-    file.write_text(TESTS)
+    file.write_text(TESTS, encoding="utf-8")
     return collect_of(file, *options)
 
 
@@ -42,7 +42,7 @@ def collect_of(file: Path, *options: str) -> set[str]:
         + ["--collect-only", "-q", *options, file],
         env={**os.environ, "PYTHONPATH": str(CHECKOUT / "tests")},
         capture_output=True,
-        text=True,
+        encoding="utf-8",
     )
     return {line.partition("::")[2] for line in done.stdout.splitlines() if "::" in line}
 
@@ -65,7 +65,11 @@ def test_every_test_of_windows_runs_where_windows_are_asked_for(tmp_path):
 
 def test_a_landing_runs_all_three():
     """In .ci/run: the everyday tests, those that they leave out, and every window."""
-    steps = [line for line in (CHECKOUT / ".ci/run").read_text().splitlines() if "step " in line]
+    steps = [
+        line
+        for line in (CHECKOUT / ".ci/run").read_text(encoding="utf-8").splitlines()
+        if "step " in line
+    ]
     for command in ("./run test", "./run landing", "./run windows"):
         assert any(line.endswith(command) for line in steps), command
 
@@ -94,16 +98,18 @@ def test_every_test_that_is_listed_as_long_exists():
 
 def test_the_list_is_written_by_what_tests_took_and_keeps_what_is_everyday(tmp_path, monkeypatch):
     monkeypatch.setattr(tiers, "LONG", tmp_path / "long.txt")
-    tiers.LONG.write_text("# kept\n# everyday: a::journey\na::left\na::quick_now\na::still\n")
+    tiers.LONG.write_text(
+        "# kept\n# everyday: a::journey\na::left\na::quick_now\na::still\n", encoding="utf-8"
+    )
     took = {"journey": 9.0, "new": 1.6, "still": 0.8, "quick_now": 0.7, "quick": 1.4}
     cases = "".join(
         f'<testcase classname="a" name="{name}"><properties>'
         f'<property name="processor_s" value="{s}"/></properties></testcase>'
         for name, s in took.items()
     )
-    (tmp_path / "results.xml").write_text(f"<testsuites>{cases}</testsuites>")
+    (tmp_path / "results.xml").write_text(f"<testsuites>{cases}</testsuites>", encoding="utf-8")
 
     tiers.main(str(tmp_path / "results.xml"))
 
     written = "# kept\n# everyday: a::journey\na::left\na::new\na::still\n"
-    assert tiers.LONG.read_text() == written
+    assert tiers.LONG.read_text(encoding="utf-8") == written

@@ -19,7 +19,7 @@ def source_files() -> tuple[str, ...]:
         ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
         cwd=CHECKOUT,
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         check=True,
     ).stdout
     files = (name for name in listed.split("\0") if name)
@@ -59,7 +59,7 @@ def install(build: Path, name: str) -> Path:
     prefix = CHECKOUT / "build" / name
     shutil.rmtree(prefix, ignore_errors=True)
     done = subprocess.run(
-        ["cmake", "--install", build, "--prefix", prefix], capture_output=True, text=True
+        ["cmake", "--install", build, "--prefix", prefix], capture_output=True, encoding="utf-8"
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return prefix

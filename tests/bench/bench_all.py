@@ -40,7 +40,7 @@ def measure_trees(program: str) -> Report:
     """The rows of compare_trees; `missing` where it ended in a sentence."""
     print(f"trees: {SURFACE}", file=sys.stderr, flush=True)
     surface = find_published() / f"{SURFACE}.obj"
-    done = subprocess.run([program, str(surface), "--json"], capture_output=True, text=True)
+    done = subprocess.run([program, str(surface), "--json"], capture_output=True, encoding="utf-8")
     report = json.loads(done.stdout) if done.stdout.startswith("{") else {"rows": []}
     sentence = done.stderr.strip() or f"compare_trees ended with {done.returncode}"
     return {**report, "missing": [sentence] if done.returncode != 0 else []}

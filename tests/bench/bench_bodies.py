@@ -129,7 +129,7 @@ def take_turns(pythons: list[str], organ: str) -> Iterator[list[float]]:
             [python, __file__, "serve", organ],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            text=True,
+            encoding="utf-8",
         )
         for python in pythons
     ]

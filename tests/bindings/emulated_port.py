@@ -141,5 +141,5 @@ def play_as_process(path: Path, port: EmulatedPort, record: Path, *more: str) ->
     command = [sys.executable, "-P", "-m", "palpate", "play", str(path), "--headless"]
     words = ["--device", f"serial:{port.path}", "--record", str(record), *more]
     return subprocess.Popen(
-        [*command, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [*command, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8"
     )

@@ -179,7 +179,7 @@ def test_a_seed_that_draws_what_cannot_be_judged_is_refused_when_it_is_played(tm
 def test_text_that_is_no_assessment_is_refused(tmp_path):
     for text in ("{", "[1]", '{"a": NaN}', "[" * 100000, ""):
         path = tmp_path / "a.json"
-        path.write_text(text)
+        path.write_text(text, encoding="utf-8")
         with pytest.raises(Refusal):
             read_assessment(path)
 

@@ -264,7 +264,9 @@ def test_every_action_of_the_stage_is_a_verb(tmp_path, capsys):
     keys = [(0.0, 0.02), (0.5, 0.006), (1.5, 0.006), (2.0, 0.02)]
     top = scenario.read(organ).scene.bodies[0].tissue.rest_position[:, 2].max()
     frames = [{"time": time, "position": [0.0, 0.0, top + height]} for time, height in keys]
-    script.write_text(json.dumps({"format": "palpate script", "version": 1, "frames": frames}))
+    script.write_text(
+        json.dumps({"format": "palpate script", "version": 1, "frames": frames}), encoding="utf-8"
+    )
     assert main(["play", str(organ), "--headless", "--device", f"script:{script}",
                  "--record", str(record)]) == 0  # fmt: skip
     assert call("record", task, "hold", record, organ) == 0
@@ -297,7 +299,7 @@ def test_check_lists_what_is_wrong_with_every_part_at_once(tmp_path, capsys):
                  "texts.tr.step-touch"):  # fmt: skip
         assert any(each.startswith(part) for each in where), (part, where)
     path = tmp_path / "task.json"
-    path.write_text(json.dumps(new))
+    path.write_text(json.dumps(new), encoding="utf-8")
     call = ["scenario", "check", str(path), "--organ", str(PUBLISHED / "simple_tissue.palpate")]
     assert main(call) == 1
     assert capsys.readouterr().out.count("error:") >= 6

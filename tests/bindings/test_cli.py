@@ -104,7 +104,7 @@ def test_quantities_are_read_to_si_and_need_their_unit():
 
 def test_the_installed_command_runs_in_a_process_of_its_own():
     done = subprocess.run(
-        [sys.executable, "-m", "palpate", "--version"], capture_output=True, text=True
+        [sys.executable, "-m", "palpate", "--version"], capture_output=True, encoding="utf-8"
     )
 
     assert done.returncode == 0

@@ -84,8 +84,8 @@ def test_the_report_of_a_self_test_is_written_as_text_or_json(capsys, tmp_path):
     assert main(["device", "selftest", "plant", "--no-motors", "--report", str(text)]) == 0
     assert main(["device", "selftest", "plant", "--no-motors", "--report", str(data)]) == 0
 
-    assert "ok      report rate" in text.read_text()
-    assert json.loads(data.read_text())["ok"]
+    assert "ok      report rate" in text.read_text(encoding="utf-8")
+    assert json.loads(data.read_text(encoding="utf-8"))["ok"]
     assert main(["device", "selftest", "plant", "--report", str(tmp_path / "no" / "x.txt")]) == 1
 
 

@@ -260,7 +260,7 @@ def test_the_self_test_shows_each_check_and_writes_its_report(open_device, qtbot
     qtbot.waitUntil(lambda: "silence stops the motors" in texts(window), timeout=PATIENCE)
     assert "It is sound" in texts(window)
     page.write(tmp_path / "report.json")
-    assert json.loads((tmp_path / "report.json").read_text())["ok"]
+    assert json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))["ok"]
     page.write(tmp_path / "no" / "report.txt")
     assert "Could not be saved" in page.explained.text()
 

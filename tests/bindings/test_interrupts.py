@@ -44,7 +44,7 @@ else:
 def test_control_c_ends(call):
     program = PROGRAM.format(call=call)
 
-    child = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    child = subprocess.run([sys.executable, "-c", program], capture_output=True, encoding="utf-8")
 
     assert (child.returncode, child.stdout) == (0, "heard\n"), child.stderr
 

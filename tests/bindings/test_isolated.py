@@ -31,7 +31,7 @@ def test_the_folder_of_these_tests_does_run_where_nothing_is_isolated(hostile):
     "words", [build_verb("--version"), build_command("-c", "import PySide6, numpy, palpate")]
 )
 def test_another_python_of_ours_imports_nothing_from_the_current_folder(words, hostile):
-    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    done = subprocess.run(words, capture_output=True, encoding="utf-8", check=False)
 
     assert done.returncode == 0, done.stderr
     assert list_run(hostile) == ""

@@ -135,7 +135,9 @@ def test_no_more_steps_are_kept_than_there_is_room_for():
 def test_a_damaged_layout_is_refused_and_stays_as_it_is(change, said, two):
     path, layout = two
     write_layout(path, History(layout))
-    path.write_text(json.dumps(change(json.loads(path.read_text()))))
+    path.write_text(
+        json.dumps(change(json.loads(path.read_text(encoding="utf-8")))), encoding="utf-8"
+    )
     before = path.read_bytes()
 
     with pytest.raises(Refusal, match=said):

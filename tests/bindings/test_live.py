@@ -161,7 +161,7 @@ def test_a_run_that_no_record_holds_is_refused_before_it_begins(tmp_path):
 
 
 def test_the_longest_record_is_that_of_the_core(checkout):
-    layout = (checkout / "core/sim/session/private/record_layout.h").read_text()
+    layout = (checkout / "core/sim/session/private/record_layout.h").read_text(encoding="utf-8")
 
     assert "kMostRows = 1 << 23;" in layout
     assert live.MOST_TICKS == 1 << 23
@@ -182,10 +182,10 @@ def test_no_script_and_no_wait_for_a_device_lasts_longer_than_a_record(tmp_path,
     write_script_file(path, [palpate.KeyFrame(live.LONGEST, (0.0, 0.0, 0.03))])
     assert read_script_file(path)[0].time == live.LONGEST == 8388.608
 
-    text = path.read_text().replace("8388.608", "8388.7")
-    path.write_text(text)
+    text = path.read_text(encoding="utf-8").replace("8388.608", "8388.7")
+    path.write_text(text, encoding="utf-8")
     with pytest.raises(Refusal, match=r"frames\[0\].time: got 8388.7 s, expected 0 to 8388.61"):
         read_script_file(path)
-    schema = (checkout / "bindings/palpate/schemas/script.schema.json").read_text()
+    schema = (checkout / "bindings/palpate/schemas/script.schema.json").read_text(encoding="utf-8")
     assert f'"maximum": {live.LONGEST}' in schema
     assert device.LONGEST is script_file.LONGEST is live.LONGEST

@@ -69,7 +69,9 @@ def test_the_mesh_that_a_scene_file_names_is_a_plain_file_or_refused(mesh, tmp_p
     os.mkfifo(tmp_path / "pipe.obj")
     organ = {"name": "a", "mesh": mesh, "sha256": "0" * 64}
     scene = tmp_path / "a.scene.json"
-    scene.write_text(json.dumps({"format": "palpate scene", "version": 1, "organ": organ}))
+    scene.write_text(
+        json.dumps({"format": "palpate scene", "version": 1, "organ": organ}), encoding="utf-8"
+    )
 
     said = refuse(["press", str(scene)], capsys)
 

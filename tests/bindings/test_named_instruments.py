@@ -65,7 +65,9 @@ def test_an_assessment_says_jaws_and_a_second_instrument(two):
     assert (second.tool.jaws.open, second.tool.jaws.grip) == (0.4, 6.0)
     assert second.trocar[0] - first.trocar[0] == pytest.approx(0.05)
     assert scenario.draw_task(two).task.steps[0].instrument == 0
-    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text())).validate(name_two())
+    jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8"))).validate(
+        name_two()
+    )
 
 
 @pytest.mark.parametrize(

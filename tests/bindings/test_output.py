@@ -121,8 +121,10 @@ def files(tmp_path) -> dict[str, Path]:
     scenario.write_container(made["ORGAN"], scenario.Container(format="organ", version=3))
     write_script_file(made["SCRIPT"], press_frames())
     write_png(made["PICTURE"], np.zeros((4, 4, 3), np.uint8))
-    made["SCENE"].write_text(json.dumps({"format": "palpate scene", "version": 1}))
-    made["OBJ"].write_text("# palpate: unit m, up z\nv 0 0 0\n")
+    made["SCENE"].write_text(
+        json.dumps({"format": "palpate scene", "version": 1}), encoding="utf-8"
+    )
+    made["OBJ"].write_text("# palpate: unit m, up z\nv 0 0 0\n", encoding="utf-8")
     made["STL"].write_bytes(bytes(80) + (1).to_bytes(4, "little") + bytes(50))
     made["OTHER"].write_bytes(PRECIOUS)
     return {getattr(file_kind, name): path for name, path in made.items() if path.exists()}

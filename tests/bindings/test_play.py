@@ -90,7 +90,7 @@ def test_playing_headless_loads_no_qt(tmp_path):
         "bad = [m for m in sys.modules if m.startswith(('PySide6', 'shiboken'))]\n"
         "print(bad, file=sys.stderr); sys.exit(code or len(bad))"
     )
-    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, encoding="utf-8")
     assert ran.returncode == 0, ran.stderr
 
 
@@ -169,7 +169,7 @@ def test_what_cannot_be_played_is_refused_in_a_sentence(tmp_path, capsys, words,
 
 def test_a_file_that_is_not_published_is_refused(tmp_path, capsys):
     other, broken = tmp_path / "a.json", tmp_path / "b.palpate"
-    other.write_text("{}")
+    other.write_text("{}", encoding="utf-8")
     broken.write_bytes(b"PK\x03\x04 and then nothing")
     for path in (other, broken, tmp_path / "none.palpate"):
         code, _, err = call(capsys, "play", path)
@@ -229,7 +229,7 @@ def test_a_script_comes_back_as_it_was_written_and_fits_its_schema(tmp_path):
     with open(f"{folder}/schemas/script.schema.json", encoding="utf-8") as file:
         schema = json.load(file)
     jsonschema.Draft202012Validator.check_schema(schema)
-    jsonschema.Draft202012Validator(schema).validate(json.loads(path.read_text()))
+    jsonschema.Draft202012Validator(schema).validate(json.loads(path.read_text(encoding="utf-8")))
 
 
 FRAME = '{"time": 0, "position": [0, 0, 0]}'
@@ -263,7 +263,7 @@ HEAD = '{"format": "palpate script", "version": 1, "frames": '
 )
 def test_a_damaged_script_is_refused_with_a_sentence(tmp_path, text, sentence):
     path = tmp_path / "damaged.json"
-    path.write_text(text)
+    path.write_text(text, encoding="utf-8")
 
     with pytest.raises(Refusal) as refused:
         read_script_file(path)

@@ -355,7 +355,7 @@ def test_ctrl_c_closes_a_window_in_which_nothing_happens(tmp_path):
         [sys.executable, "-c", f"{WAIT_TO_BE_SEEN}\n{program}", "play", publish(tmp_path)],
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        text=True,
+        encoding="utf-8",
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     ) as process:
         try:

@@ -74,7 +74,7 @@ def play_on_screen(tmp_path_factory):
     def play(size: tuple[int, int], factor: float) -> dict[str, list]:
         env = list_environment(folder, size, factor)
         words = [sys.executable, "-c", PLAY_ON_A_SCREEN, scenario, *LANGUAGES]
-        ran = subprocess.run(words, env=env, capture_output=True, text=True)
+        ran = subprocess.run(words, env=env, capture_output=True, encoding="utf-8")
         assert ran.returncode == 0, ran.stderr
         return json.loads(ran.stdout)
 

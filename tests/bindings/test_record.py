@@ -31,7 +31,7 @@ def replay_in_a_new_process(path: Path, stiffness: float = 50.0) -> dict:
     done = subprocess.run(
         [sys.executable, "-c", search + REPLAY, str(path), str(stiffness)],
         capture_output=True,
-        text=True,
+        encoding="utf-8",
         check=True,
     )
     return json.loads(done.stdout)

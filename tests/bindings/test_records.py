@@ -197,10 +197,10 @@ def test_another_text_is_asked_for_again(store, monkeypatch):
 
 def test_another_file_and_a_newer_database_are_refused(tmp_path, monkeypatch):
     other = tmp_path / "notes.txt"
-    other.write_text("not a database at all")
+    other.write_text("not a database at all", encoding="utf-8")
     with pytest.raises(Refusal):
         Store(other)
-    assert other.read_text() == "not a database at all"
+    assert other.read_text(encoding="utf-8") == "not a database at all"
     newer = tmp_path / "newer.sqlite"
     Store(newer).close()
     with sqlite3.connect(newer) as connection:
@@ -304,7 +304,9 @@ def write_strokes(folder: Path) -> Path:
     frames = [{"time": 0.5 * k, "position": [0.0, 0.0, float(top) + height]}
               for k, height in enumerate(heights)]  # fmt: skip
     path = folder / "strokes.json"
-    path.write_text(json.dumps({"format": "palpate script", "version": 1, "frames": frames}))
+    path.write_text(
+        json.dumps({"format": "palpate script", "version": 1, "frames": frames}), encoding="utf-8"
+    )
     return path
 
 
@@ -313,8 +315,8 @@ def kill_one(task: Path, hand: Path, code: str, folder: Path, after: float) -> t
     words = ["-m", "palpate", "play", str(task), "--headless", "--device", f"script:{hand}",
              "--person", code]  # fmt: skip
     child = subprocess.Popen(
-        [sys.executable, *words], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-        env={**os.environ, ENVIRONMENT: str(folder)},
+        [sys.executable, *words], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+        encoding="utf-8", env={**os.environ, ENVIRONMENT: str(folder)},
     )  # fmt: skip
     assert child.stderr is not None
     line = child.stderr.readline()

@@ -59,7 +59,8 @@ def test_sentences_are_read_from_python_too(tmp_path):
         '    expected = "text" if n else f"at most {LIMIT} parts"\n'
         '    raise Refusal(path, "where", f"{n} bytes", expected)\n'
         '    raise ValueError(f"n: got {n}, expected {LIMIT} or so")\n'
-        '    raise OSError(5, f"{odd}: not a folder", path)\n'
+        '    raise OSError(5, f"{odd}: not a folder", path)\n',
+        encoding="utf-8",
     )
 
     assert set(python_sentences.read_file(file)) == {

@@ -114,7 +114,7 @@ def test_an_alarm_of_energy_is_where_most_of_it_is(tmp_path):
     scene, path = organ_scene(2, stiffness=400.0), tmp_path / "blown.prec"
     scene.instruments[0].tool.stiffness = 3e10
     file = tmp_path / "scene"
-    file.write_text("")
+    file.write_text("", encoding="utf-8")
 
     with pytest.raises(RuntimeError, match=r"It began (at the point|in the link) at") as ended:
         run_device(scene, palpate.ScriptedDevice(press_frames()), 0.4, path, file)

@@ -51,7 +51,7 @@ def run_python(script: str, *arguments: object) -> str:
     """A script of this folder in an interpreter of its own."""
     alone = {"OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": os.pathsep.join(sys.path)}
     command = [sys.executable, HERE / script, *map(str, arguments)]
-    done = subprocess.run(command, capture_output=True, text=True, env=os.environ | alone)
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", env=os.environ | alone)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

@@ -46,7 +46,7 @@ f 1 4 6
 @pytest.fixture
 def organ(tmp_path):
     path = tmp_path / "organ.obj"
-    path.write_text(OCTAHEDRON)
+    path.write_text(OCTAHEDRON, encoding="utf-8")
     return path
 
 
@@ -109,9 +109,9 @@ DELETE = object()
 def test_a_damaged_scene_file_is_refused_where_it_is_wrong(organ, tmp_path, path, value, where):
     file = tmp_path / "a.json"
     write_scene_file(file, scene_of(organ))
-    data = json.loads(file.read_text())
+    data = json.loads(file.read_text(encoding="utf-8"))
     change(data, path, value)
-    file.write_text(json.dumps(data))
+    file.write_text(json.dumps(data), encoding="utf-8")
 
     with pytest.raises(Refusal) as refusal:
         read_scene_file(file)
@@ -124,8 +124,8 @@ def test_a_damaged_scene_file_is_refused_where_it_is_wrong(organ, tmp_path, path
 def test_a_wall_of_an_older_file_is_felt_by_the_hard_law_as_before(organ, tmp_path, version, law):
     file, scene = tmp_path / "a.json", scene_of(organ)
     write_scene_file(file, replace(scene, model=replace(scene.model, kind="shell")))
-    data = json.loads(file.read_text())
-    file.write_text(json.dumps(data | {"version": version}))
+    data = json.loads(file.read_text(encoding="utf-8"))
+    file.write_text(json.dumps(data | {"version": version}), encoding="utf-8")
 
     assert read_scene_file(file).model.contact_law == law
 
@@ -142,7 +142,9 @@ def test_text_that_is_no_scene_is_refused(tmp_path, text):
 def test_numbers_that_are_not_finite_are_refused(organ, tmp_path):
     file = tmp_path / "a.json"
     write_scene_file(file, scene_of(organ))
-    file.write_text(file.read_text().replace('"drag": 2.0', '"drag": NaN'))
+    file.write_text(
+        file.read_text(encoding="utf-8").replace('"drag": 2.0', '"drag": NaN'), encoding="utf-8"
+    )
 
     with pytest.raises(Refusal) as refusal:
         read_scene_file(file)
@@ -152,7 +154,7 @@ def test_numbers_that_are_not_finite_are_refused(organ, tmp_path):
 
 def test_a_scene_whose_mesh_has_changed_is_refused(organ, tmp_path):
     write_scene_file(tmp_path / "a.json", scene_of(organ))
-    organ.write_text(OCTAHEDRON.replace("0.03 0 0", "0.031 0 0", 1))
+    organ.write_text(OCTAHEDRON.replace("0.03 0 0", "0.031 0 0", 1), encoding="utf-8")
 
     with pytest.raises(Refusal) as refusal:
         open_scene(tmp_path / "a.json")
@@ -256,7 +258,7 @@ def test_a_force_error_is_compiled_for_walls_and_refused_without_home_springs(or
 )
 def test_a_mesh_file_that_is_not_one_is_refused_where_it_is_wrong(tmp_path, text, where):
     file = tmp_path / "a.obj"
-    file.write_text(text)
+    file.write_text(text, encoding="utf-8")
 
     with pytest.raises(Refusal) as refusal:
         read_mesh_file(file)

@@ -56,7 +56,7 @@ def test_from_nothing_to_a_file_that_is_pressed_and_replays(layout, tmp_path, ca
 
 
 def test_a_change_is_undone_and_made_again_by_later_calls(layout, capsys):
-    before = json.loads(layout.read_text())["now"]
+    before = json.loads(layout.read_text(encoding="utf-8"))["now"]
 
     moved = say(capsys, "place", layout, "high", "--by", "0,0,2", "--turn", "0,0,90", "--fold")
     assert moved["bodies"][1]["may_fold"]
@@ -64,7 +64,7 @@ def test_a_change_is_undone_and_made_again_by_later_calls(layout, capsys):
     assert moved["can_undo"] == 5
 
     undone = say(capsys, "undo", layout)
-    assert json.loads(layout.read_text())["now"] == before
+    assert json.loads(layout.read_text(encoding="utf-8"))["now"] == before
     assert (undone["can_undo"], undone["can_redo"]) == (4, 1)
     assert say(capsys, "redo", layout)["bodies"] == moved["bodies"]
 

@@ -37,7 +37,9 @@ def test_the_title_of_a_published_file_does_not_steer_the_terminal(tmp_path, cap
 
 def test_a_refusal_that_repeats_what_a_file_says_does_not_either(tmp_path, capsys):
     script = tmp_path / "a.json"
-    script.write_text('{"format": "' + "x\\u001b[2J\\u009b" + '", "version": 1, "frames": []}')
+    script.write_text(
+        '{"format": "' + "x\\u001b[2J\\u009b" + '", "version": 1, "frames": []}', encoding="utf-8"
+    )
     words = ["play", str(publish(tmp_path)), "--headless", "--device", f"script:{script}"]
 
     assert main(words) == 1

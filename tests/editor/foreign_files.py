@@ -24,13 +24,13 @@ def numbers(values: np.ndarray, separator: str = " ") -> str:
 
 def write_obj(path: Path, v: np.ndarray, t: np.ndarray) -> None:
     lines = [f"v {numbers(x)}" for x in v] + [f"f {i} {j} {k}" for i, j, k in t + 1]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def write_off(path: Path, v: np.ndarray, t: np.ndarray) -> None:
     lines = ["OFF", f"{len(v)} {len(t)} 0"]
     lines += [numbers(x) for x in v] + [f"3 {i} {j} {k}" for i, j, k in t]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def write_stl(path: Path, v: np.ndarray, t: np.ndarray, trailing: int = 0) -> None:
@@ -48,7 +48,7 @@ def write_text_stl(path: Path, v: np.ndarray, t: np.ndarray) -> None:
         lines += ["facet normal 0 0 0", "outer loop"]
         lines += [f"vertex {numbers(v[c])}" for c in corners]
         lines += ["endloop", "endfacet"]
-    path.write_text("\n".join([*lines, "endsolid organ", ""]))
+    path.write_text("\n".join([*lines, "endsolid organ", ""]), encoding="utf-8")
 
 
 def write_ply(path: Path, v: np.ndarray, t: np.ndarray) -> None:
@@ -56,7 +56,7 @@ def write_ply(path: Path, v: np.ndarray, t: np.ndarray) -> None:
     head += [f"property float {axis}" for axis in "xyz"]
     head += [f"element face {len(t)}", "property list uchar int vertex_indices", "end_header"]
     lines = head + [numbers(x) for x in v] + [f"3 {i} {j} {k}" for i, j, k in t]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def to_y_up(v: np.ndarray) -> np.ndarray:
@@ -114,7 +114,8 @@ def write_3ds(path: Path, v: np.ndarray, t: np.ndarray) -> None:
 
 
 def write_dae(path: Path, v: np.ndarray, t: np.ndarray) -> None:
-    path.write_text(f"""<?xml version="1.0"?>
+    path.write_text(
+        f"""<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit name="millimeter" meter="0.001"/><up_axis>Z_UP</up_axis></asset>
 <library_geometries><geometry id="g" name="organ"><mesh>
@@ -129,13 +130,16 @@ def write_dae(path: Path, v: np.ndarray, t: np.ndarray) -> None:
 <instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
 <scene><instance_visual_scene url="#s"/></scene>
 </COLLADA>
-""")
+""",
+        encoding="utf-8",
+    )
 
 
 def write_fbx(path: Path, v: np.ndarray, t: np.ndarray) -> None:
     closed = t.copy()
     closed[:, 2] = -closed[:, 2] - 1
-    path.write_text(f"""; FBX 7.4.0 project file
+    path.write_text(
+        f"""; FBX 7.4.0 project file
 FBXHeaderExtension:  {{
 	FBXHeaderVersion: 1003
 	FBXVersion: 7400
@@ -174,7 +178,9 @@ Connections:  {{
 	C: "OO",20,0
 	C: "OO",10,20
 }}
-""")
+""",
+        encoding="utf-8",
+    )
 
 
 def write_vtk(path: Path, v: np.ndarray, t: np.ndarray, binary: bool = True) -> None:
@@ -191,12 +197,15 @@ def write_vtk(path: Path, v: np.ndarray, t: np.ndarray, binary: bool = True) -> 
 
 
 def write_xml(path: Path, v: np.ndarray, kind: str, counts: str, cells: str) -> None:
-    path.write_text(f"""<?xml version="1.0"?>
+    path.write_text(
+        f"""<?xml version="1.0"?>
 <VTKFile type="{kind}" version="0.1" byte_order="LittleEndian"><{kind}>
 <Piece NumberOfPoints="{len(v)}" {counts}>
 <Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">{numbers(v)}</DataArray>
 </Points>{cells}</Piece></{kind}></VTKFile>
-""")
+""",
+        encoding="utf-8",
+    )
 
 
 def data_array(name: str, kind: str, values: np.ndarray) -> str:

@@ -56,9 +56,9 @@ def write_painted_obj(path: Path, picture: bytes | None, options: str = "") -> P
     lines = ["mtllib skin.mtl", *(f"v {numbers(p)}" for p in x)]
     lines += [f"vt {numbers(p)}" for p in places]
     lines += ["usemtl skin", *(f"f {a}/{a} {b}/{b} {c}/{c}" for a, b, c in triangles + 1)]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     material = f"newmtl skin\nKd 0.8 0.8 0.8\nmap_Kd {options}skin of it.png\n"
-    (path.parent / "skin.mtl").write_text(material)
+    (path.parent / "skin.mtl").write_text(material, encoding="utf-8")
     if picture is not None:
         (path.parent / "skin of it.png").write_bytes(picture)
     return path

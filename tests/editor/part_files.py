@@ -46,7 +46,7 @@ def write_parts(path: Path, parts: Parts) -> Path:
         lines += [f"v {p[0]!r} {p[1]!r} {p[2]!r}" for p in x.tolist()]
         lines += [f"f {a} {b} {c}" for a, b, c in (triangles + first).tolist()]
         first += len(x)
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return path
 
 

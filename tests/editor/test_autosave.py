@@ -53,7 +53,7 @@ def kill_an_editor(folder: Path, edits: int, *document: Path) -> None:
     """Lets a process edit until autosave has it all, and kills it without a word of warning."""
     command = [sys.executable, HERE / "edit_and_hang.py", folder, edits, *document]
     left_by_others = find_recoveries(folder)
-    with subprocess.Popen([*map(str, command)], stdout=subprocess.PIPE, text=True) as child:
+    with subprocess.Popen([*map(str, command)], stdout=subprocess.PIPE, encoding="utf-8") as child:
         said = child.stdout.readline()
         while_it_lives = find_recoveries(folder)
         os.kill(child.pid, signal.SIGKILL)

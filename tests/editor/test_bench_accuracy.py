@@ -165,7 +165,7 @@ def test_the_wall_stands_on_the_shipped_gallbladder():
 def test_a_work_is_read_as_it_was_written(tmp_path):
     work = make_work()
     path = tmp_path / "plain.json"
-    path.write_text(json.dumps(asdict(work)))
+    path.write_text(json.dumps(asdict(work)), encoding="utf-8")
 
     assert common.read_work(path) == work
 

@@ -20,7 +20,7 @@ WORKS = (
 @pytest.mark.landing
 def test_every_work_is_timed_and_its_result_is_what_was_asked():
     done = subprocess.run(
-        [sys.executable, str(BENCH), "--quick", "--json"], capture_output=True, text=True
+        [sys.executable, str(BENCH), "--quick", "--json"], capture_output=True, encoding="utf-8"
     )
 
     assert done.returncode == 0, done.stderr
@@ -34,7 +34,7 @@ def test_every_work_is_timed_and_its_result_is_what_was_asked():
 
 def test_another_option_is_refused():
     done = subprocess.run(
-        [sys.executable, str(BENCH), "--quickly-not"], capture_output=True, text=True
+        [sys.executable, str(BENCH), "--quickly-not"], capture_output=True, encoding="utf-8"
     )
 
     assert done.returncode == 2 and "--quickly-not" in done.stderr

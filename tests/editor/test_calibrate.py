@@ -47,7 +47,9 @@ def write_curve(path: Path, organ: Organ, noise: float = 0.0) -> Path:
     force = measure_indentation(scene, find_top(scene), DEPTH)
     force += noise * force.max() * np.random.default_rng(7).normal(size=len(force))
     rows = [f"{1e3 * d:.3f},{f:.6f}" for d, f in zip(DEPTH, force, strict=True)]
-    path.write_text("\n".join(["# synthetic", "depth [mm],force [N]", *rows]) + "\n")
+    path.write_text(
+        "\n".join(["# synthetic", "depth [mm],force [N]", *rows]) + "\n", encoding="utf-8"
+    )
     return path
 
 
@@ -147,7 +149,9 @@ def test_the_report_is_told_in_words(tmp_path, organ, capsys):
 def test_a_curve_of_another_shape_is_said_to_be_one(tmp_path, organ, capsys):
     write_organ(tmp_path / "guess.organ", organ)
     rows = [f"{1e3 * d:.3f},{1e6 * d**3:.6f}" for d in DEPTH]
-    (tmp_path / "curve.csv").write_text("\n".join(["depth [mm],force [N]", *rows]) + "\n")
+    (tmp_path / "curve.csv").write_text(
+        "\n".join(["depth [mm],force [N]", *rows]) + "\n", encoding="utf-8"
+    )
 
     call = ["calibrate", str(tmp_path / "guess.organ"), "--curve", str(tmp_path / "curve.csv")]
     assert main(call) == 0
@@ -174,7 +178,7 @@ def test_a_bad_call_is_refused_in_a_sentence(tmp_path, organ, capsys, text, opti
     if text == "whole":
         write_curve(curve, organ)
     else:
-        curve.write_text(text)
+        curve.write_text(text, encoding="utf-8")
 
     assert main(["calibrate", str(tmp_path / "guess.organ"), "--curve", str(curve), *options]) == 1
 

@@ -56,7 +56,9 @@ def test_the_modulus_of_a_solid_is_found_again_from_a_noisy_curve(tmp_path, caps
     felt = 1.3 * measure_indentation(scene, find_top(scene), depths)
     felt += 0.02 * felt.max() * np.random.default_rng(11).normal(size=len(felt))
     rows = [f"{1e3 * d:.3f},{1e3 * f:.4f}" for d, f in zip(depths, felt, strict=True)]
-    (tmp_path / "curve.csv").write_text("\n".join(["depth [mm],force [mN]", *rows]) + "\n")
+    (tmp_path / "curve.csv").write_text(
+        "\n".join(["depth [mm],force [mN]", *rows]) + "\n", encoding="utf-8"
+    )
 
     call = [str(tmp_path / "layer.organ"), "--curve", str(tmp_path / "curve.csv"), "--json"]
     assert main(["calibrate", *call, "--plot", str(tmp_path / "fit.png")]) == 0

@@ -58,7 +58,7 @@ def scenes_of_vtk(tmp_path_factory) -> dict[str, list]:
     folder = tmp_path_factory.mktemp("vtk")
     files = [write(make(), folder / f"{i}.vtk") for i, make in enumerate(VTK.values())]
     run = subprocess.run([sys.executable, "-P", "-c", READ, *map(str, files)],
-                         capture_output=True, text=True, check=False)  # fmt: skip
+                         capture_output=True, encoding="utf-8", check=False)  # fmt: skip
     assert run.returncode == 0, run.stderr[-2000:]
     return dict(zip(VTK, map(json.loads, run.stdout.splitlines()), strict=True))
 

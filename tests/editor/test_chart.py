@@ -269,7 +269,9 @@ def test_the_verb_draws_reruns_and_refuses(plan, chart, tmp_path, capsys, monkey
     assert report["rows"] == json.loads(
         json.dumps([asdict(r) for r in read_chart(Path(out[0])).rows])
     )
-    assert Path(out[1]).read_bytes().startswith(b"\x89PNG") and "<svg" in Path(out[2]).read_text()
+    assert Path(out[1]).read_bytes().startswith(b"\x89PNG") and "<svg" in Path(out[2]).read_text(
+        encoding="utf-8"
+    )
     assert main([*call, "--rerun", out[0]]) == 0
     assert "the same to the bit" in capsys.readouterr().out
     assert main([*call, "--rerun", out[0], "--png", out[1]]) == 2

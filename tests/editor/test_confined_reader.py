@@ -54,7 +54,7 @@ def write_gltf(path: Path, uri: str) -> Path:
         "scenes": [{"nodes": [0]}],
         "scene": 0,
     }
-    path.write_text(json.dumps(made))
+    path.write_text(json.dumps(made), encoding="utf-8")
     return path
 
 
@@ -107,9 +107,11 @@ def test_a_reference_out_of_the_folder_is_refused_with_its_name(place):
 
 
 def test_an_obj_is_read_without_its_materials_wherever_they_are(place):
-    (place.parent / "a.mtl").write_text("newmtl red\nKd 1 0 0\n")
+    (place.parent / "a.mtl").write_text("newmtl red\nKd 1 0 0\n", encoding="utf-8")
     path = place / "a.obj"
-    path.write_text("mtllib ../a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\n")
+    path.write_text(
+        "mtllib ../a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\n", encoding="utf-8"
+    )
 
     assert len(read_mesh(path).parts[0].mesh.triangles) == 2
 
@@ -128,7 +130,7 @@ def meddle(tmp_path, monkeypatch, place):
     """meddle(...) makes every reader try to open the secret, which no mesh names."""
 
     def build(*defined: str) -> None:
-        (tmp_path / "shim.c").write_text(SHIM)
+        (tmp_path / "shim.c").write_text(SHIM, encoding="utf-8")
         shim = tmp_path / "shim.so"
         words = ["cc", "-shared", "-fPIC", *defined, "-o", shim, tmp_path / "shim.c", "-ldl"]
         subprocess.run(words, check=True, capture_output=True)

@@ -71,7 +71,8 @@ def truncated_vtk(folder: Path, binary: bool = True) -> Path:
     path.write_text(
         f"# vtk DataFile Version 3.0\na\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS {size}\n"
         "ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 3\nSCALARS a short 1\nLOOKUP_TABLE default\n"
-        "1 2 3\n"
+        "1 2 3\n",
+        encoding="utf-8",
     )
     return path
 
@@ -134,19 +135,21 @@ def nan_places(folder: Path) -> Path:
 def flat_axes(folder: Path) -> Path:
     path = folder / "a.nhdr"
     write_scan(path, plain())
-    lines = path.read_text().split("\n")
+    lines = path.read_text(encoding="utf-8").split("\n")
     flat = "space directions: (1,0,0) (0,1,0) (1,1,0)"
-    path.write_text("\n".join(flat if "directions" in line else line for line in lines))
+    path.write_text(
+        "\n".join(flat if "directions" in line else line for line in lines), encoding="utf-8"
+    )
     return path
 
 
 def voxels_elsewhere(folder: Path) -> Path:
     (folder / "inner").mkdir()
     path = write_scan(folder / "inner" / "a.mhd", plain())
-    text = path.read_text()
+    text = path.read_text(encoding="utf-8")
     name = text.partition("ElementDataFile = ")[2].strip()
     shutil.move(folder / "inner" / name, folder / name)
-    path.write_text(text.replace(name, f"../{name}"))
+    path.write_text(text.replace(name, f"../{name}"), encoding="utf-8")
     return path
 
 
@@ -196,7 +199,7 @@ def slices_of_two_sizes(folder: Path) -> Path:
 
 def no_dicom(folder: Path) -> Path:
     (folder / "slices").mkdir()
-    (folder / "slices" / "notes.txt").write_text("the notes of a year")
+    (folder / "slices" / "notes.txt").write_text("the notes of a year", encoding="utf-8")
     return folder / "slices"
 
 
@@ -372,7 +375,8 @@ def test_what_to_install_is_said_where_the_reader_is_missing(tmp_path, monkeypat
     hidden = tmp_path / "hidden"
     hidden.mkdir()
     (hidden / "SimpleITK.py").write_text(
-        "raise ModuleNotFoundError(\"No module named 'SimpleITK'\", name='SimpleITK')"
+        "raise ModuleNotFoundError(\"No module named 'SimpleITK'\", name='SimpleITK')",
+        encoding="utf-8",
     )
     monkeypatch.setenv("PYTHONPATH", str(hidden))
 

@@ -46,7 +46,7 @@ def demo(out: Path, *words: str) -> dict:
             ),
         )
         assert main(["demo", "--no-window", "--out", str(out), *words]) == 0
-    return json.loads((out / "summary.json").read_text())
+    return json.loads((out / "summary.json").read_text(encoding="utf-8"))
 
 
 def run_here(verb: str, *arguments: object) -> dict:
@@ -158,7 +158,7 @@ def test_doubling_the_stiffness_raises_the_peak_force_by_at_least_40_percent(
     played = {key: own[1][key] for key in ("published", "play")}
     monkeypatch.setattr(demo_module, "hand_over", lambda *words: played)
     lines = []
-    for line in CONSTANTS.read_text().splitlines():
+    for line in CONSTANTS.read_text(encoding="utf-8").splitlines():
         key, _, rest = line.partition("=")
         if key.strip() in ("stiffness", "home_stiffness", "bend_stiffness", "stretch_coupling"):
             value, _, comment = rest.partition("#")
@@ -166,7 +166,7 @@ def test_doubling_the_stiffness_raises_the_peak_force_by_at_least_40_percent(
                 line = f"{key}= {2 * float(value)!r} # {comment}"
         lines.append(line)
     stiff = tmp_path / "stiff.toml"
-    stiff.write_text("\n".join(lines))
+    stiff.write_text("\n".join(lines), encoding="utf-8")
 
     summary = demo(tmp_path / "stiff", "--constants", str(stiff))
 
@@ -212,7 +212,9 @@ def test_a_mesh_the_demo_cannot_take_is_refused_with_a_sentence(tmp_path, capsys
 
 def test_constants_with_an_unknown_name_are_refused(tmp_path, capsys):
     constants = tmp_path / "bad.toml"
-    constants.write_text(CONSTANTS.read_text().replace("depth", "dept", 1))
+    constants.write_text(
+        CONSTANTS.read_text(encoding="utf-8").replace("depth", "dept", 1), encoding="utf-8"
+    )
 
     assert (
         main(["demo", "--constants", str(constants), "--out", str(tmp_path / "o"), "--json"]) == 1
@@ -223,7 +225,9 @@ def test_constants_with_an_unknown_name_are_refused(tmp_path, capsys):
 
 def test_a_constant_that_is_no_number_is_refused(tmp_path, capsys):
     constants = tmp_path / "bad.toml"
-    constants.write_text(CONSTANTS.read_text().replace("drag = 8.0", 'drag = "8"'))
+    constants.write_text(
+        CONSTANTS.read_text(encoding="utf-8").replace("drag = 8.0", 'drag = "8"'), encoding="utf-8"
+    )
 
     assert (
         main(["demo", "--constants", str(constants), "--out", str(tmp_path / "o"), "--json"]) == 1

@@ -91,9 +91,10 @@ def test_materials_of_an_obj_colour_its_parts_by_area(tmp_path):
     lines = [f"v {numbers(x)}" for x in TETRAHEDRON]
     faces = [f"f {i} {j} {k}" for i, j, k in TETRAHEDRON_FACES + 1]
     lines += ["mtllib looks.mtl", "o one", "usemtl red", *faces[:2], "usemtl blue", *faces[2:]]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     (tmp_path / "looks.mtl").write_text(
-        "newmtl red\nKd 0.8 0.1 0.1\nnewmtl blue\nKd 0.1 0.1 0.8\nmap_Kd skin.png\n"
+        "newmtl red\nKd 0.8 0.1 0.1\nnewmtl blue\nKd 0.1 0.1 0.8\nmap_Kd skin.png\n",
+        encoding="utf-8",
     )
     x = TETRAHEDRON[TETRAHEDRON_FACES]
     area = np.linalg.norm(np.cross(x[:, 1] - x[:, 0], x[:, 2] - x[:, 0]), axis=1)
@@ -116,12 +117,12 @@ def test_materials_of_an_obj_colour_its_parts_by_area(tmp_path):
     ],
 )
 def test_a_material_library_that_cannot_be_read_is_said(line, note, tmp_path):
-    (tmp_path / "outside.mtl").write_text("newmtl red\nKd 0.8 0.1 0.1\n")
+    (tmp_path / "outside.mtl").write_text("newmtl red\nKd 0.8 0.1 0.1\n", encoding="utf-8")
     folder = tmp_path / "folder"
     folder.mkdir()
     path = folder / "organ.obj"
     write_obj(path, TETRAHEDRON, TETRAHEDRON_FACES)
-    path.write_text(f"{line}\nusemtl red\n" + path.read_text())
+    path.write_text(f"{line}\nusemtl red\n" + path.read_text(encoding="utf-8"), encoding="utf-8")
 
     scene = read_mesh(path)
 
@@ -135,7 +136,7 @@ def test_vertex_colours_of_an_obj_are_of_one_or_of_255(full, tmp_path):
     colour = full * np.array([0.6, 0.4, 0.2])
     lines = [f"v {numbers(x)} {numbers(colour)}" for x in TETRAHEDRON]
     lines += [f"f {i} {j} {k}" for i, j, k in TETRAHEDRON_FACES + 1]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
     assert read_mesh(path).parts[0].colour == pytest.approx((0.6, 0.4, 0.2))
 
@@ -144,7 +145,7 @@ def test_a_weight_behind_a_vertex_is_no_colour(tmp_path):
     path = tmp_path / "organ.obj"
     lines = [f"v {numbers(x)} 1.0" for x in TETRAHEDRON]
     lines += [f"f {i} {j} {k}" for i, j, k in TETRAHEDRON_FACES + 1]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
     assert read_mesh(path).parts[0].colour is None
 
@@ -158,7 +159,7 @@ def test_vertex_colours_of_a_ply_come_along_as_their_mean(tmp_path):
     head += ["property list uchar int vertex_indices", "end_header"]
     lines = head + [f"{numbers(x)} 153 51 102" for x in TETRAHEDRON]
     lines += [f"3 {i} {j} {k}" for i, j, k in TETRAHEDRON_FACES]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
     assert read_mesh(path).parts[0].colour == pytest.approx((0.6, 0.2, 0.4), abs=0.003)
 
@@ -169,7 +170,8 @@ def test_colours_of_a_vtk_file_come_along(tmp_path):
     path.write_text(
         "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n"
         f"{numbers(TETRAHEDRON)}\nPOLYGONS 4 16\n{corners}\nPOINT_DATA 4\n"
-        "COLOR_SCALARS look 3\n" + "0.6 0.2 0.4\n" * 4
+        "COLOR_SCALARS look 3\n" + "0.6 0.2 0.4\n" * 4,
+        encoding="utf-8",
     )
 
     assert read_mesh(path).parts[0].colour == pytest.approx((0.6, 0.2, 0.4), abs=0.003)
@@ -181,8 +183,10 @@ def test_parts_of_different_colours_keep_them_and_the_organ_has_their_mean(tmp_p
     lines += ["mtllib looks.mtl", "o one", "usemtl red"]
     lines += [f"f {i} {j} {k}" for i, j, k in TETRAHEDRON_FACES + 1]
     lines += ["o two", "usemtl blue", *(f"f {i} {j} {k}" for i, j, k in TETRAHEDRON_FACES + 5)]
-    path.write_text("\n".join(lines) + "\n")
-    (tmp_path / "looks.mtl").write_text("newmtl red\nKd 0.8 0.1 0.1\nnewmtl blue\nKd 0.2 0.1 0.5\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (tmp_path / "looks.mtl").write_text(
+        "newmtl red\nKd 0.8 0.1 0.1\nnewmtl blue\nKd 0.2 0.1 0.5\n", encoding="utf-8"
+    )
 
     whole = import_file(path)
     one = import_file(path, parts=["one"])

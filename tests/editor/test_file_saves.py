@@ -57,7 +57,7 @@ def test_a_kill_while_saving_leaves_the_old_or_the_new_file_whole(kills, tmp_pat
     script = TESTS / "bindings" / "save_again_and_again.py"
     command = [sys.executable, script, folder / "a.organ", tmp_path / "old", tmp_path / "new"]
     alone = {"OPENBLAS_NUM_THREADS": "1"}
-    done = subprocess.run([*map(str, command), *moments], capture_output=True, text=True,
+    done = subprocess.run([*map(str, command), *moments], capture_output=True, encoding="utf-8",
                           env=os.environ | alone)  # fmt: skip
 
     assert done.returncode == 0, done.stderr

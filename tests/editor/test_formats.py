@@ -67,7 +67,10 @@ def test_strips_and_polygons_of_a_vtk_file_are_triangles(tmp_path):
     path = tmp_path / "a.vtk"
     head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n"
     square = "0 0 0 1 0 0 1 1 0 0 1 0 2 0 0 2 1 0\n"
-    path.write_text(head + square + "POLYGONS 1 5\n4 0 1 2 3\nTRIANGLE_STRIPS 1 5\n4 1 4 2 5\n")
+    path.write_text(
+        head + square + "POLYGONS 1 5\n4 0 1 2 3\nTRIANGLE_STRIPS 1 5\n4 1 4 2 5\n",
+        encoding="utf-8",
+    )
 
     mesh = join_parts(read_mesh(path)).mesh
 
@@ -146,13 +149,15 @@ def test_the_libraries_are_never_loaded_by_a_program_that_opens_windows():
         "import palpate_editor.edits, palpate_editor.authoring\n"
         "print([name for name in sys.modules if name.split('.')[0] == 'vtkmodules'])"
     )
-    run = subprocess.run([sys.executable, "-P", "-c", code], capture_output=True, text=True)
+    run = subprocess.run([sys.executable, "-P", "-c", code], capture_output=True, encoding="utf-8")
 
     assert run.stdout.strip() == "[]", run.stderr
 
 
 def test_the_reader_is_isolated_from_the_folder_the_user_stands_in(tmp_path, monkeypatch):
-    (tmp_path / "numpy.py").write_text("open('was-run', 'w')\nraise SystemExit(99)\n")
+    (tmp_path / "numpy.py").write_text(
+        "open('was-run', 'w')\nraise SystemExit(99)\n", encoding="utf-8"
+    )
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     write_vtk(tmp_path / "a.vtk", TETRAHEDRON, TETRAHEDRON_FACES)
@@ -172,14 +177,14 @@ def run_confined(tmp_path: Path, code: str) -> str:
         f"try:\n    {code}\n    print('allowed')\n"
         "except (OSError, MemoryError) as refused:\n    print(type(refused).__name__)\n"
     )
-    run = subprocess.run([sys.executable, "-P", "-c", lines], capture_output=True, text=True)
+    run = subprocess.run([sys.executable, "-P", "-c", lines], capture_output=True, encoding="utf-8")
     return run.stdout.strip() or run.stderr
 
 
 def test_the_reader_may_open_its_file_and_no_other(tmp_path):
     if find_landlock() is None:
         pytest.skip("Landlock cannot be had here")
-    (tmp_path / "secret").write_text("a secret")
+    (tmp_path / "secret").write_text("a secret", encoding="utf-8")
 
     assert run_confined(tmp_path, f"open({str(tmp_path / 'a.vtk')!r}, 'rb')") == "allowed"
     assert run_confined(tmp_path, f"open({str(tmp_path / 'secret')!r})") == "PermissionError"
@@ -259,7 +264,7 @@ def test_every_variant_of_off_is_the_same_surface(name, tmp_path):
 )
 def test_an_off_is_refused_with_its_line(text, where, got, tmp_path):
     path = tmp_path / "a.off"
-    path.write_text(text)
+    path.write_text(text, encoding="utf-8")
 
     with pytest.raises(palpate.FileError) as refusal:
         read_mesh(path)
@@ -274,7 +279,7 @@ def test_an_obj_with_a_normal_of_index_zero_is_read(tmp_path):
     path = tmp_path / "a.obj"
     vertices = "".join(f"v {numbers(x)}\n" for x in TETRAHEDRON)
     faces = "".join(f"f {i}//0 {j}//7 {k}//x\n" for i, j, k in TETRAHEDRON_FACES + 1)
-    path.write_text(vertices + "vn nonsense\n" + faces)
+    path.write_text(vertices + "vn nonsense\n" + faces, encoding="utf-8")
 
     assert corners_of(join_parts(read_mesh(path)).mesh) == EXPECTED
 
@@ -285,7 +290,7 @@ def test_lines_of_an_obj_may_go_on_and_be_coloured(tmp_path):
     faces = "".join(
         f"f {i - 5} \\\n {j - 5}/1/1 {k - 5} # of\n" for i, j, k in TETRAHEDRON_FACES + 1
     )
-    path.write_text(vertices + faces)
+    path.write_text(vertices + faces, encoding="utf-8")
 
     assert corners_of(join_parts(read_mesh(path)).mesh) == EXPECTED
 
@@ -298,7 +303,7 @@ def test_lines_of_an_obj_may_go_on_and_be_coloured(tmp_path):
 )  # fmt: skip
 def test_an_obj_is_refused_with_its_line(last, where, got, tmp_path):
     path = tmp_path / "a.obj"
-    path.write_text("v 0 0 0\nv 1 \\\n0 0\nv 0 1 0\n" + last + "\n")
+    path.write_text("v 0 0 0\nv 1 \\\n0 0\nv 0 1 0\n" + last + "\n", encoding="utf-8")
 
     with pytest.raises(palpate.FileError) as refusal:
         read_mesh(path)
@@ -308,7 +313,7 @@ def test_an_obj_is_refused_with_its_line(last, where, got, tmp_path):
 
 def test_faces_of_two_corners_are_left_out_with_a_note(tmp_path):
     path = tmp_path / "a.obj"
-    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\ncurv 0 1 1 2\n")
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\ncurv 0 1 1 2\n", encoding="utf-8")
 
     scene = read_mesh(path)
 
@@ -347,7 +352,7 @@ def test_a_hollow_polygon_keeps_its_shape(points, extension, tmp_path):
     else:
         lines = ["OFF", f"{many} 1 0", *(numbers(x) for x in corners)]
         lines.append(f"{many} " + " ".join(map(str, range(many))))
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
     mesh = join_parts(read_mesh(path)).mesh
 

@@ -63,9 +63,9 @@ def test_a_window_that_the_editor_opens_imports_nothing_from_the_current_folder(
 
 def test_the_mesh_reader_is_started_by_its_own_path(hostile):
     program = hostile / READER.name
-    program.write_text("#!/bin/sh\ntouch was-run\n")
+    program.write_text("#!/bin/sh\ntouch was-run\n", encoding="utf-8")
     program.chmod(0o755)
-    (hostile / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    (hostile / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
 
     assert READER.is_absolute()
     assert len(read_mesh(hostile / "a.obj").parts) == 1

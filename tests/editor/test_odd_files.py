@@ -73,7 +73,9 @@ def test_a_vertex_that_is_no_place_is_left_out_with_a_note(kind, word, tmp_path)
     path = tmp_path / f"a.{kind}"
     x = np.vstack([ROUND, [[7.25, 7.25, 7.25]]])
     faces = np.vstack([ROUND_FACES, [[0, 1, len(ROUND)]]])
-    path.write_text(write_text(kind, x, faces).replace("7.25 7.25 7.25", f"{word} 0 0"))
+    path.write_text(
+        write_text(kind, x, faces).replace("7.25 7.25 7.25", f"{word} 0 0"), encoding="utf-8"
+    )
 
     organ, scene = import_mesh(path), read_mesh(path)
 
@@ -84,7 +86,9 @@ def test_a_vertex_that_is_no_place_is_left_out_with_a_note(kind, word, tmp_path)
 @pytest.mark.parametrize("kind", ["obj", "off", "ply"])
 def test_one_face_of_many_on_a_vertex_that_is_not_there_is_left_out_with_a_note(kind, tmp_path):
     path = tmp_path / f"a.{kind}"
-    path.write_text(write_text(kind, ROUND, np.vstack([ROUND_FACES, [[0, 1, 99999]]])))
+    path.write_text(
+        write_text(kind, ROUND, np.vstack([ROUND_FACES, [[0, 1, 99999]]])), encoding="utf-8"
+    )
 
     scene = read_mesh(path)
 
@@ -96,7 +100,9 @@ def test_one_face_of_many_on_a_vertex_that_is_not_there_is_left_out_with_a_note(
 @pytest.mark.parametrize("kind", ["off", "stl", "ply"])
 def test_a_text_that_lost_its_last_lines_opens_with_a_note(kind, tmp_path):
     path = tmp_path / f"a.{kind}"
-    path.write_text(write_text(kind, ROUND, ROUND_FACES)[: -40 if kind == "stl" else -12])
+    path.write_text(
+        write_text(kind, ROUND, ROUND_FACES)[: -40 if kind == "stl" else -12], encoding="utf-8"
+    )
 
     scene = read_mesh(path)
 
@@ -108,12 +114,12 @@ def test_a_text_that_lost_its_last_lines_opens_with_a_note(kind, tmp_path):
 def test_a_text_that_lost_half_is_refused(kind, tmp_path):
     path = tmp_path / f"a.{kind}"
     text = write_text(kind, TETRAHEDRON, TETRAHEDRON_FACES)
-    path.write_text(text[: -60 if kind == "stl" else -20])
+    path.write_text(text[: -60 if kind == "stl" else -20], encoding="utf-8")
 
     with pytest.raises(palpate.FileError) as refusal:
         read_mesh(path)
 
-    last = path.read_text().rpartition("\n")[2]
+    last = path.read_text(encoding="utf-8").rpartition("\n")[2]
     assert refusal.value.got in ("the end of the file", f"'{last}'")
 
 
@@ -218,7 +224,7 @@ def test_strips_of_a_ply_are_triangles_that_face_one_side(tmp_path):
     head = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
     head += "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
     points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n"
-    path.write_text(f"{head}end_header\n{points}9 0 1 2 3 4 -1 0 1 2\n")
+    path.write_text(f"{head}end_header\n{points}9 0 1 2 3 4 -1 0 1 2\n", encoding="utf-8")
 
     mesh = read_mesh(path).parts[0].mesh
 
@@ -244,7 +250,7 @@ def test_strips_of_a_ply_are_triangles_that_face_one_side(tmp_path):
 )  # fmt: skip
 def test_a_ply_is_refused_with_its_line(text, where, got, tmp_path):
     path = tmp_path / "a.ply"
-    path.write_text(text)
+    path.write_text(text, encoding="utf-8")
 
     with pytest.raises(palpate.FileError) as refusal:
         read_mesh(path)
@@ -267,7 +273,8 @@ def write_x3d(path: Path) -> None:
     path.write_text(
         '<?xml version="1.0"?><X3D version="3.0"><Scene><Shape DEF="organ"><IndexedFaceSet '
         f'coordIndex="{list_indices("%d %d %d -1 ")}"><Coordinate point="{numbers(TETRAHEDRON)}"/>'
-        "</IndexedFaceSet></Shape></Scene></X3D>"
+        "</IndexedFaceSet></Shape></Scene></X3D>",
+        encoding="utf-8",
     )
 
 
@@ -276,7 +283,8 @@ def write_amf(path: Path) -> None:
     face = "<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>"
     path.write_text(
         '<?xml version="1.0"?><amf unit="millimeter"><object id="1"><mesh><vertices>'
-        f"{list_points(corner)}</vertices><volume>{list_indices(face)}</volume></mesh></object></amf>"
+        f"{list_points(corner)}</vertices><volume>{list_indices(face)}</volume></mesh></object></amf>",
+        encoding="utf-8",
     )
 
 
@@ -305,12 +313,14 @@ def write_ac(path: Path) -> None:
     head = f'AC3Db\nMATERIAL "" {colour}\nOBJECT world\nkids 1\nOBJECT poly\nname "organ"\n'
     faces = list_indices("SURF 0x0\nmat 0\nrefs 3\n%d 0 0\n%d 0 0\n%d 0 0\n")
     points = list_points("%g %g %g\n")
-    path.write_text(f"{head}numvert 4\n{points}numsurf 4\n{faces}kids 0\n")
+    path.write_text(f"{head}numvert 4\n{points}numsurf 4\n{faces}kids 0\n", encoding="utf-8")
 
 
 def write_x(path: Path) -> None:
     points, faces = list_points("%g;%g;%g;", ",\n"), list_indices("3;%d,%d,%d;", ",\n")
-    path.write_text(f"xof 0303txt 0032\nMesh organ {{\n4;\n{points};\n4;\n{faces};\n}}\n")
+    path.write_text(
+        f"xof 0303txt 0032\nMesh organ {{\n4;\n{points};\n4;\n{faces};\n}}\n", encoding="utf-8"
+    )
 
 
 @pytest.mark.parametrize("write", [write_x3d, write_3mf, write_amf, write_ac, write_x])
@@ -354,7 +364,7 @@ def test_a_gltf_that_would_be_misread_is_refused_with_what_it_needs(tmp_path):
     scene["extensionsRequired"] = [name]
     uri = "data:application/octet-stream;base64," + base64.b64encode(binary).decode()
     scene["buffers"][0]["uri"] = uri
-    (tmp_path / "a.gltf").write_text(json.dumps(scene))
+    (tmp_path / "a.gltf").write_text(json.dumps(scene), encoding="utf-8")
 
     with pytest.raises(palpate.FileError) as refusal:
         read_mesh(tmp_path / "a.gltf")
@@ -363,7 +373,9 @@ def test_a_gltf_that_would_be_misread_is_refused_with_what_it_needs(tmp_path):
 
 
 def test_a_gltf_of_version_1_is_refused_with_what_would_do(tmp_path):
-    (tmp_path / "a.gltf").write_text(json.dumps({"asset": {"version": "1.0"}, "meshes": {}}))
+    (tmp_path / "a.gltf").write_text(
+        json.dumps({"asset": {"version": "1.0"}, "meshes": {}}), encoding="utf-8"
+    )
 
     with pytest.raises(palpate.FileError) as refusal:
         read_mesh(tmp_path / "a.gltf")
@@ -389,7 +401,7 @@ def test_a_gltf_finds_its_buffer_by_a_name_with_a_blank_and_tells_of_other_scene
     (tmp_path / "my mesh.bin").write_bytes(binary)
     scene["buffers"][0]["uri"] = "my%20mesh.bin"
     scene["scenes"].append({"nodes": []})
-    (tmp_path / "a.gltf").write_text(json.dumps(scene))
+    (tmp_path / "a.gltf").write_text(json.dumps(scene), encoding="utf-8")
 
     read = read_mesh(tmp_path / "a.gltf")
 

@@ -110,7 +110,7 @@ TEXT_STL = {
 def test_a_text_stl_is_the_same_surface_however_it_is_written(change, tmp_path):
     path = tmp_path / "a.stl"
     write_text_stl(path, TETRAHEDRON, TETRAHEDRON_FACES)
-    path.write_text(change(path.read_text()), encoding="utf-8", newline="")
+    path.write_text(change(path.read_text(encoding="utf-8")), encoding="utf-8", newline="")
 
     scene = read_mesh(path)
 
@@ -134,7 +134,7 @@ def test_a_text_stl_is_the_same_surface_however_it_is_written(change, tmp_path):
 )
 def test_a_damaged_text_stl_is_refused_with_its_line(content, where, got, tmp_path):
     path = tmp_path / "a.stl"
-    path.write_text(content)
+    path.write_text(content, encoding="utf-8")
 
     with pytest.raises(palpate.FileError) as refusal:
         read_mesh(path)
@@ -145,17 +145,21 @@ def test_a_damaged_text_stl_is_refused_with_its_line(content, where, got, tmp_pa
 def test_solids_of_one_name_are_parts_of_their_own(tmp_path):
     path = tmp_path / "a.stl"
     write_text_stl(path, TETRAHEDRON, TETRAHEDRON_FACES)
-    path.write_text(2 * path.read_text() + path.read_text().replace(" organ", ""))
+    path.write_text(
+        2 * path.read_text(encoding="utf-8")
+        + path.read_text(encoding="utf-8").replace(" organ", ""),
+        encoding="utf-8",
+    )
 
     assert [part.name for part in read_mesh(path).parts] == ["organ", "organ (2)", "a"]
 
 
 def test_a_number_too_near_to_zero_to_be_held_is_zero(tmp_path):
     path = tmp_path / "a.obj"
-    path.write_text("v 0 0 1e-400\nv 100 -4e-324 0\nv 0 60 0\nf 1 2 3\n")
+    path.write_text("v 0 0 1e-400\nv 100 -4e-324 0\nv 0 60 0\nf 1 2 3\n", encoding="utf-8")
 
     assert join_parts(read_mesh(path)).mesh.vertices[0][2] == 0.0
 
-    path.write_text("v 0 0 1e400\nv 100 0 0\nv 0 60 0\nf 1 2 3\n")
+    path.write_text("v 0 0 1e400\nv 100 0 0\nv 0 60 0\nf 1 2 3\n", encoding="utf-8")
     with pytest.raises(palpate.FileError, match="'1e400'"):
         read_mesh(path)

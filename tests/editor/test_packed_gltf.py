@@ -138,13 +138,13 @@ def test_its_bytes_may_lie_beside_it_and_nowhere_else(tmp_path):
     (tmp_path / "a b.bin").write_bytes(glb[28 + size :])
     text["buffers"][0]["uri"] = "a%20b.bin"
     path = tmp_path / "a.gltf"
-    path.write_text(json.dumps(text))
+    path.write_text(json.dumps(text), encoding="utf-8")
 
     assert len(read_mesh(path).parts) == 1
 
     text["buffers"][0]["uri"] = "../b.bin"
     (tmp_path.parent / "b.bin").write_bytes(glb[28 + size :])
-    path.write_text(json.dumps(text))
+    path.write_text(json.dumps(text), encoding="utf-8")
     with pytest.raises(FileError, match="a file beside it") as refused:
         read_mesh(path)
     assert refused.value.got == "../b.bin"
@@ -232,7 +232,7 @@ def test_meshopt_is_refused_with_the_way_out(tmp_path):
     path = write_quantized(tmp_path / "a.glb")
     head = GltfFile(str(path)).content
     head["extensionsRequired"] = [QUANTIZED, "EXT_meshopt_compression"]
-    (tmp_path / "b.gltf").write_text(json.dumps(head))
+    (tmp_path / "b.gltf").write_text(json.dumps(head), encoding="utf-8")
 
     with pytest.raises(Refusal, match="EXT_meshopt_compression"):
         unpack_gltf(str(tmp_path / "b.gltf"))

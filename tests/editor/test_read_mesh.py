@@ -146,7 +146,7 @@ def test_named_parts_of_an_obj_can_be_chosen_and_are_welded(tmp_path):
     # the same tetrahedron as two open parts with vertices of their own
     lines = [f"v {x} {y} {z}" for x, y, z in np.concatenate([TETRAHEDRON, TETRAHEDRON])]
     lines += ["o floor", "f 1 3 2", "f 1 2 4", "o walls", "f 5 8 7", "f 6 7 8"]
-    path.write_text("\n".join(lines))
+    path.write_text("\n".join(lines), encoding="utf-8")
     scene = read_mesh(path)
 
     whole, floor = join_parts(scene), join_parts(scene, parts=["floor"])

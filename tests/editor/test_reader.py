@@ -92,7 +92,7 @@ def test_an_stl_that_promises_more_triangles_than_it_has_is_refused(tmp_path):
 
 
 def program(path: Path, lines: str) -> Path:
-    path.write_text(f"#!/bin/sh\n{lines}\n")
+    path.write_text(f"#!/bin/sh\n{lines}\n", encoding="utf-8")
     path.chmod(path.stat().st_mode | stat.S_IXUSR)
     return path
 
@@ -115,7 +115,7 @@ def test_a_reader_that_hangs_is_stopped(organ, tmp_path):
         os.chdir(here)
 
     # gone, and waited for
-    assert not Path(f"/proc/{(tmp_path / 'pid').read_text().strip()}").exists()
+    assert not Path(f"/proc/{(tmp_path / 'pid').read_text(encoding='utf-8').strip()}").exists()
 
 
 def test_a_reader_that_crashes_is_told_from_one_that_refuses(organ, tmp_path):

@@ -80,7 +80,7 @@ def test_an_organ_made_by_every_verb_is_rebuilt_to_the_same_bytes(stl, tmp_path,
     organ = tmp_path / "a.organ"
     run(capsys, "import", stl, "--unit", "mm", "--up=-z", "--vertices", 120, "-o", organ)
     change(capsys, organ)
-    (tmp_path / "curve.csv").write_text(CURVE)
+    (tmp_path / "curve.csv").write_text(CURVE, encoding="utf-8")
 
     run(capsys, "decimate", organ, "--imported", "-o", organ)
     run(capsys, "decimate", organ, "--vertices", 90, "-o", organ)

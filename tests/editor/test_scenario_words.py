@@ -73,12 +73,12 @@ def test_the_verb_does_what_the_stage_does(change, tmp_path):
     after = act(before, *arguments)
     after = after[0] if isinstance(after, tuple) else after
     path = tmp_path / "task.json"
-    path.write_text(json.dumps(before))
+    path.write_text(json.dumps(before), encoding="utf-8")
 
     verb, *words = find_words(act, tuple(arguments))
 
     assert main(["scenario", verb, str(path), *map(str, words)]) == 0
-    assert json.loads(path.read_text()) == after
+    assert json.loads(path.read_text(encoding="utf-8")) == after
 
 
 @pytest.mark.parametrize(
@@ -93,11 +93,11 @@ def test_a_new_place_is_said_before_the_step_that_is_there(place, tmp_path: Path
     before = made()
     after, name = author.add_place(before, "new", place)
     path = tmp_path / "task.json"
-    path.write_text(json.dumps(before))
+    path.write_text(json.dumps(before), encoding="utf-8")
 
     ((said, row),) = list_new_places(before, after)
 
     assert (said, row) == (name, place)
     at = f"--at={say_place(place)}"
     assert main(["scenario", "place", str(path), "--set", said, at]) == 0
-    assert json.loads(path.read_text()) == after
+    assert json.loads(path.read_text(encoding="utf-8")) == after

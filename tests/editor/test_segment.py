@@ -111,10 +111,10 @@ def test_a_folder_of_slices_is_cut_by_grey_levels(tmp_path, capsys):
     made = report_of(capsys, "segment", folder, "--threshold", "150:", "-o", out)
 
     assert made["segmentation"]["low"] == 150.0
+    lines = out.read_text(encoding="utf-8").splitlines()
     points = np.array(
-        [[float(x) for x in line.split()[1:]] for line in out.read_text().splitlines()
-         if line.startswith("v ")]
-    )  # fmt: skip
+        [[float(x) for x in line.split()[1:]] for line in lines if line.startswith("v ")]
+    )
     assert np.abs(np.array([points.min(0), points.max(0)]) - 1e-3 * BOX).max() < 1.6e-3
 
 

@@ -119,7 +119,7 @@ def test_what_a_file_is_its_content_tells_where_its_name_does_not(tmp_path):
     assert told["Medit, faces"] == told["no extension, Medit"] == told["Netgen, neutral"] == "MEDIT"
     assert (told["Fluent"], told["AVS UCD"], told["Abaqus"]) == ("FLUENT", "UCD", "ABAQUS")
     assert told["FreeSurfer, a name of its own"] == "FREESURFER"
-    (tmp_path / "notes").write_text("solid advice: eat less\n")
+    (tmp_path / "notes").write_text("solid advice: eat less\n", encoding="utf-8")
     assert find_format(tmp_path / "notes") is None and not is_mesh(tmp_path / "notes")
 
 
@@ -136,7 +136,7 @@ def test_a_mesh_under_a_name_of_its_own_is_read(extension, tmp_path):
 
 
 def test_every_extension_is_named_where_one_is_refused(tmp_path):
-    (tmp_path / "a.doc").write_text("a letter")
+    (tmp_path / "a.doc").write_text("a letter", encoding="utf-8")
 
     with pytest.raises(palpate.FileError) as refusal:
         read_mesh(tmp_path / "a.doc")
@@ -193,7 +193,7 @@ def test_a_packed_file_that_grows_beyond_all_measure_is_refused(tmp_path, monkey
 
 
 def test_the_page_of_the_editor_lists_every_extension():
-    page = (Path(__file__).parents[2] / "editor" / "README.md").read_text()
+    page = (Path(__file__).parents[2] / "editor" / "README.md").read_text(encoding="utf-8")
     table = page.split("Mesh files that are read\n")[1].split("\n## ")[0]
 
     assert set(re.findall(r"`\.([\w]+)`", table)) >= set(EXTENSIONS)

@@ -161,7 +161,7 @@ def test_words_that_none_has_find_none_and_no_words_find_all(tissues):
 def test_a_file_in_the_folder_of_settings_adds_tissues(settings):
     assert find_own_file() == settings / "palpate" / "tissues.toml"
     find_own_file().parent.mkdir(parents=True)
-    find_own_file().write_text(OWN)
+    find_own_file().write_text(OWN, encoding="utf-8")
 
     tongue = of(read_library(), "tongue")
 
@@ -169,7 +169,7 @@ def test_a_file_in_the_folder_of_settings_adds_tissues(settings):
 
 
 def test_a_library_named_on_the_command_line_is_used(tmp_path, capsys):
-    (tmp_path / "mine.toml").write_text(OWN)
+    (tmp_path / "mine.toml").write_text(OWN, encoding="utf-8")
 
     found = report_of(capsys, "tissues", "dil", "--library", tmp_path / "mine.toml")
 
@@ -202,7 +202,7 @@ def test_a_damaged_library_is_refused_with_a_place(old, new, sentence, tmp_path)
     text = text.replace(old, new) if old else text
     if new == "[liver]":
         text = text.replace("[[tongue.", "[[liver.")
-    (tmp_path / "mine.toml").write_text(text)
+    (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
 
     with pytest.raises(Refusal) as refused:
         read_library(tmp_path / "mine.toml")

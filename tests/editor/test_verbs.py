@@ -170,7 +170,10 @@ def test_check_exits_1_where_a_scene_cannot_be_built(spleen, tmp_path, capsys):
     mesh.write_bytes(spleen.read_bytes())
     scene = tmp_path / "bad.scene.json"
     assert main(["material", str(mesh), "-o", str(scene)]) == 0
-    scene.write_text(scene.read_text().replace('"density": 1060.0', '"density": -1.0'))
+    scene.write_text(
+        scene.read_text(encoding="utf-8").replace('"density": 1060.0', '"density": -1.0'),
+        encoding="utf-8",
+    )
     capsys.readouterr()
 
     assert main(["check", str(scene), "--json"]) == 1

@@ -106,7 +106,7 @@ def test_colours_of_corners_come_along_without_a_picture(tmp_path):
     rows = [f"v {a:.9g} {b:.9g} {c:.9g} {r / 255:.6f} {g / 255:.6f} {d / 255:.6f}"
             for (a, b, c), (r, g, d) in zip(x, colours, strict=True)]  # fmt: skip
     rows += [f"f {a} {b} {c}" for a, b, c in triangles + 1]
-    (tmp_path / "a.obj").write_text("\n".join(rows) + "\n")
+    (tmp_path / "a.obj").write_text("\n".join(rows) + "\n", encoding="utf-8")
 
     surface = import_file(tmp_path / "a.obj", unit="mm")(EMPTY).surface
 
@@ -123,7 +123,7 @@ def test_colours_of_an_off_come_along(kind, full, tmp_path):
     rows += [f"{p[0]:.9g} {p[1]:.9g} {p[2]:.9g} {normal}{c[0]:g} {c[1]:g} {c[2]:g} {full}"
              for p, c in zip(x, colours, strict=True)]  # fmt: skip
     rows += [f"3 {a} {b} {c}" for a, b, c in triangles]
-    (tmp_path / "a.off").write_text("\n".join(rows) + "\n")
+    (tmp_path / "a.off").write_text("\n".join(rows) + "\n", encoding="utf-8")
 
     surface = import_file(tmp_path / "a.off", unit="mm")(EMPTY).surface
 
@@ -165,7 +165,7 @@ def test_a_picture_outside_of_the_folder_is_not_opened(tmp_path):
     (tmp_path / "secret.png").write_bytes(PICTURE)
     (tmp_path / "meshes").mkdir()
     path = write_painted_obj(tmp_path / "meshes" / "a.obj", None)
-    (path.parent / "skin.mtl").write_text("newmtl skin\nmap_Kd ../secret.png\n")
+    (path.parent / "skin.mtl").write_text("newmtl skin\nmap_Kd ../secret.png\n", encoding="utf-8")
 
     scene = read_mesh(path)
 

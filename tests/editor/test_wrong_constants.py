@@ -181,7 +181,7 @@ def test_a_scene_file_that_no_machine_has_time_for_is_refused_with_what_would_do
     x, t = organ.surface.vertices, organ.surface.triangles
     lines = [*(f"v {a!r} {b!r} {c!r}" for a, b, c in x.tolist()),
              *(f"f {a + 1} {b + 1} {c + 1}" for a, b, c in t.tolist())]  # fmt: skip
-    mesh.write_text("\n".join(lines) + "\n")
+    mesh.write_text("\n".join(lines) + "\n", encoding="utf-8")
     path = tmp_path / "wrong.scene.json"
     parts = parts_of(make_wrong(organ, "model.stiffness"))
     part = OrganPart("ball", "ball.obj", hashlib.sha256(mesh.read_bytes()).hexdigest())

@@ -22,7 +22,7 @@ def write_polygons(path: Path, random: Random) -> Path:
     faces = [*sides.tolist(), list(range(n))[::-1], list(range(n, 2 * n))]
     lines = [f"v {numbers(p)}" for p in x]
     lines += ["f " + " ".join(str(corner + 1) for corner in face) for face in faces]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return path
 
 
@@ -38,7 +38,7 @@ def write_normal_zero(path: Path, random: Random) -> Path:
     x, t = make_organ(random)
     lines = [f"v {numbers(p)}" for p in x] + ["vn 0 0 1"]
     lines += ["f {}//0 {}//0 {}//0".format(*face) for face in (t + 1).tolist()]
-    path.write_text("\n".join(lines) + "\n")
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return path
 
 

@@ -30,7 +30,7 @@ class Board:
         image = IMAGES / f"palpate_device_{baud}.hex"
         call = ["node", "run.js", str(image), write_eeprom().hex(), str(baud)]
         self.process = subprocess.Popen(
-            call, cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            call, cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8"
         )
         self.host = Host()
         self.positions = [512, 500, 520, 512, 512, 512]
@@ -81,7 +81,7 @@ def emulator() -> Path:
     if not (folder / "node_modules" / "avr8js").is_dir():
         got = subprocess.run(
             ["npm", "ci", "--no-audit", "--no-fund", "--ignore-scripts"],
-            cwd=folder, capture_output=True, text=True, timeout=120, check=False,
+            cwd=folder, capture_output=True, encoding="utf-8", timeout=120, check=False,
         )  # fmt: skip
         if got.returncode and any(word in got.stderr for word in NO_NETWORK):
             pytest.skip("the second emulator cannot be had here: its registry does not answer")

@@ -89,7 +89,10 @@ def find_peak(curve: Curve) -> float:
 
 def read_curves() -> dict[str, Curve]:
     """The curves that are kept."""
-    return {name: np.array(rows) for name, rows in json.loads(CURVES.read_text())["N"].items()}
+    return {
+        name: np.array(rows)
+        for name, rows in json.loads(CURVES.read_text(encoding="utf-8"))["N"].items()
+    }
 
 
 def write_curves(curves: dict[str, Curve]) -> None:

@@ -268,11 +268,11 @@ def test_the_command_writes_another_resolution(tmp_path, capsys):
 
 def test_a_table_is_parsed_again_once_its_file_was_changed_and_its_owner_may_change_it(tmp_path):
     path = tmp_path / "table.toml"
-    path.write_text("[a]\nb = 1\n")
+    path.write_text("[a]\nb = 1\n", encoding="utf-8")
     read_tables(path)["a"]["b"] = 5
     assert read_tables(path) == {"a": {"b": 1}}
 
-    path.write_text("[a]\nb = 2\n")
+    path.write_text("[a]\nb = 2\n", encoding="utf-8")
     os.utime(path, (1, 1))
 
     assert read_tables(path) == {"a": {"b": 2}}

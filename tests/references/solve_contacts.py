@@ -133,7 +133,7 @@ def write_reference(reference: dict) -> None:
     head["sha256"] = hashlib.sha256(whole.encode()).hexdigest()
     cases = ",\n  ".join(json.dumps(case) for case in known)
     part = path.with_suffix(".part")
-    with part.open("w") as file:
+    with part.open("w", encoding="utf-8") as file:
         file.write(f'{json.dumps(head, indent=1)[:-2]},\n "cases": [\n  {cases}\n ]\n}}\n')
         file.flush()
         os.fsync(file.fileno())

@@ -63,8 +63,8 @@ def main() -> None:
         "sink": measure_sink(press, touched[inside], pushes, radius),
     }
     path = FOLDER.parent / "layer.json"
-    path.write_text(json.dumps(layer, indent=1) + "\n")
-    print(path.read_text())
+    path.write_text(json.dumps(layer, indent=1) + "\n", encoding="utf-8")
+    print(path.read_text(encoding="utf-8"))
 
 
 def round_off(value: float) -> float:

@@ -77,7 +77,7 @@ def solve_reference(name: str) -> dict:
 def write_reference(reference: dict) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     path = FOLDER / f"{reference['name']}.json"
-    path.write_text(json.dumps(reference, separators=(",", ":")) + "\n")
+    path.write_text(json.dumps(reference, separators=(",", ":")) + "\n", encoding="utf-8")
 
 
 def write_mesh(x: Floats, t: Ints) -> dict:

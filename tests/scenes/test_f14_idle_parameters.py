@@ -105,7 +105,8 @@ def test_f14_a_field_that_no_scene_has_is_refused_by_name(tmp_path):
     path = tmp_path / "a.scene.json"
     path.write_text(
         '{"format": "palpate scene", "version": 2, "organ": {"name": "a", "mesh": "a.obj", '
-        '"sha256": "0"}, "model": {"stifness": 60.0}}'
+        '"sha256": "0"}, "model": {"stifness": 60.0}}',
+        encoding="utf-8",
     )
 
     with pytest.raises(Refusal, match="stifness"):

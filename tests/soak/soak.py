@@ -52,7 +52,7 @@ class Diary:
 
 def take_sample(begun: float) -> Sample:
     gc.collect()
-    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    pages = int(Path("/proc/self/statm").read_text(encoding="utf-8").split()[1])
     memory = pages * os.sysconf("SC_PAGE_SIZE") / 1e6
     count = [len(os.listdir(f"/proc/self/{what}")) for what in ("fd", "task")]
     return Sample(time.perf_counter() - begun, memory, *count)
@@ -145,7 +145,7 @@ def main() -> int:
         handle(call.minutes, diary, Path(folder))
     report = write_report(diary)
     if call.json:
-        call.json.write_text(json.dumps(report, indent=2) + "\n")
+        call.json.write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
     print(json.dumps(report))
     print(describe(report))
     return 1 if report["failures"] else 0

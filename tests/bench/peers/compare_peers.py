@@ -108,7 +108,7 @@ class Runner:
             done = subprocess.run(
                 words,
                 capture_output=True,
-                text=True,
+                encoding="utf-8",
                 timeout=timeout,
                 env=self.environment,
                 cwd=self.folder,  # where engines leave their logs

@@ -16,11 +16,11 @@ HEAD = ("format", "version", "sha256")
 
 def spoil(path: Path, change, *, hashed: bool = True) -> None:
     """Changes a written file; with a new hash, as an edit by hand might."""
-    data = json.loads(path.read_text())
+    data = json.loads(path.read_text(encoding="utf-8"))
     change(data)
     if hashed:
         data["sha256"] = hash_content({k: v for k, v in data.items() if k not in HEAD})
-    path.write_text(json.dumps(data))
+    path.write_text(json.dumps(data), encoding="utf-8")
 
 
 def check_schema_fields(schema: dict[str, Any], module: ModuleType, whole: type) -> None:

@@ -32,7 +32,7 @@ def test_an_atlas_comes_back_as_it_was_written_and_fits_its_schema(tmp_path):
     assert read_atlas(path) == atlas
     assert find_kind(path) == ATLAS
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
-    jsonschema.Draft202012Validator(SCHEMA).validate(json.loads(path.read_text()))
+    jsonschema.Draft202012Validator(SCHEMA).validate(json.loads(path.read_text(encoding="utf-8")))
 
 
 def test_the_schema_has_every_field_of_an_atlas():
@@ -94,7 +94,7 @@ def test_an_equal_atlas_is_an_equal_picture(ending, kind, integrator, tmp_path):
 def test_a_picture_says_the_margin_of_the_scene_and_what_each_method_does(tmp_path):
     save_atlas(tmp_path / "a.svg", make_atlas())
 
-    said = (tmp_path / "a.svg").read_text()
+    said = (tmp_path / "a.svg").read_text(encoding="utf-8")
 
     for words in ("this scene: 0.5 of 1.1 ms used", "2 steps a tick", "swallows 30 %",
                   "Spleen: how long a time step", "it blows up"):  # fmt: skip

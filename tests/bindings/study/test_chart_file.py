@@ -30,7 +30,7 @@ def test_a_chart_comes_back_as_it_was_written_and_fits_its_schema(tmp_path):
     assert read_chart(path) == chart
     assert find_kind(path) == CHART
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
-    jsonschema.Draft202012Validator(SCHEMA).validate(json.loads(path.read_text()))
+    jsonschema.Draft202012Validator(SCHEMA).validate(json.loads(path.read_text(encoding="utf-8")))
 
 
 def test_the_schema_has_every_field_of_a_chart():

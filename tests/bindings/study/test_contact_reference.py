@@ -155,7 +155,7 @@ def write_spleen(path: Path, change) -> Path:
     change(data)
     whole = json.dumps([data["places"], data["cases"]], sort_keys=True, separators=(",", ":"))
     data["sha256"] = hashlib.sha256(whole.encode()).hexdigest()
-    path.write_text(json.dumps(data))
+    path.write_text(json.dumps(data), encoding="utf-8")
     return path
 
 
@@ -171,10 +171,10 @@ def test_a_name_that_no_reference_has_is_refused_with_those_there_are():
 
 
 def test_a_force_that_was_changed_by_hand_is_refused(tmp_path):
-    text = (FOLDER / "spleen.json").read_text()
+    text = (FOLDER / "spleen.json").read_text(encoding="utf-8")
     force = read_contact_reference("spleen").cases[0].results[0].force
     path = tmp_path / "spleen.json"
-    path.write_text(text.replace(f'"force": {force}', f'"force": {2 * force}'))
+    path.write_text(text.replace(f'"force": {force}', f'"force": {2 * force}'), encoding="utf-8")
 
     with pytest.raises(Refusal, match="sha256"):
         read_contact_file(path)

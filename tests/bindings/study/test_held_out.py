@@ -153,7 +153,7 @@ def test_a_press_that_an_alarm_ended_leaves_no_score():
 
 def test_the_file_comes_back_as_it_stands(tmp_path):
     path = tmp_path / "held_out.json"
-    path.write_text(json.dumps(FILE))
+    path.write_text(json.dumps(FILE), encoding="utf-8")
 
     assert read_held_out(path) == PATH
 
@@ -173,7 +173,7 @@ def test_the_file_comes_back_as_it_stands(tmp_path):
 )
 def test_a_file_that_does_not_fit_is_refused(change, said, tmp_path):
     path = tmp_path / "held_out.json"
-    path.write_text(json.dumps(FILE | change))
+    path.write_text(json.dumps(FILE | change), encoding="utf-8")
 
     with pytest.raises(Refusal, match=said):
         read_held_out(path)

@@ -155,7 +155,7 @@ def test_a_reference_that_does_not_exist_is_refused_with_those_that_do():
 def test_a_damaged_reference_is_refused(tmp_path, monkeypatch, damage, where):
     data = json.loads((module.FOLDER / "ellipsoid.json").read_bytes())
     damage(data)
-    (tmp_path / "ellipsoid.json").write_text(json.dumps(data))
+    (tmp_path / "ellipsoid.json").write_text(json.dumps(data), encoding="utf-8")
     monkeypatch.setattr(module, "FOLDER", tmp_path)
 
     with pytest.raises(Refusal, match=where):

@@ -99,7 +99,7 @@ def test_a_damaged_file_in_the_cache_is_solved_again_and_said(cache):
 
 
 def test_a_cache_that_cannot_be_written_is_said(tmp_path):
-    (tmp_path / "file").write_text("no folder")
+    (tmp_path / "file").write_text("no folder", encoding="utf-8")
 
     truth = ask(tmp_path / "file")
 

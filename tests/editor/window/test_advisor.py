@@ -124,14 +124,14 @@ def test_to_stop_ends_the_processes_that_run_rows_too(qtbot, desk):
 def list_children(work) -> list[int]:
     """Processes that the process of a chart has started [proc(5)]."""
     files = Path(f"/proc/{work.process.pid}/task").glob("*/children")  # of each of its threads
-    return [int(word) for file in files for word in file.read_text().split()]
+    return [int(word) for file in files for word in file.read_text(encoding="utf-8").split()]
 
 
 def is_running(process: int) -> bool:
     """Zombies have ended; who began them has not looked yet."""
     file = Path(f"/proc/{process}/stat")
     try:
-        return file.read_text().rpartition(")")[2].split()[0] != "Z"
+        return file.read_text(encoding="utf-8").rpartition(")")[2].split()[0] != "Z"
     except (FileNotFoundError, ProcessLookupError):
         return False
 

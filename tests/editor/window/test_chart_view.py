@@ -155,7 +155,7 @@ def test_a_chart_is_saved_and_opened_through_dialogs(qtbot, desk, tmp_path):
 def test_what_is_no_chart_is_refused_in_a_sentence(qtbot, desk, tmp_path):
     told = []
     desk.context.told.connect(lambda text, severity: told.append((text, severity)))
-    (tmp_path / "c.json").write_text("{}")
+    (tmp_path / "c.json").write_text("{}", encoding="utf-8")
 
     desk.chart.open(tmp_path / "c.json")
 

@@ -371,7 +371,7 @@ def scene_that_blows_up(organ) -> palpate.Scene:
 def test_the_plot_exports_every_row_of_every_run(panel, qtbot, tmp_path):
     press(panel, qtbot)
     panel.plot.export_csv(tmp_path / "forces")
-    rows = (tmp_path / "forces.csv").read_text().splitlines()
+    rows = (tmp_path / "forces.csv").read_text(encoding="utf-8").splitlines()
     assert rows[0] == "run,time_s,force_x_N,force_y_N,force_z_N,force_N"
     assert len(rows) == 1 + len(panel.plot.traces[-1])
     assert rows[1].startswith("Press 1,0.0000,")

@@ -123,7 +123,7 @@ def test_slices_of_a_folder_are_chosen_by_grey_level_and_shown_by_window_and_lev
 
 @pytest.mark.landing
 def test_a_scan_that_cannot_be_read_is_told_in_a_sentence(qtbot, window, tmp_path):
-    (tmp_path / "a.nii").write_text("the notes of a year")
+    (tmp_path / "a.nii").write_text("the notes of a year", encoding="utf-8")
 
     window.context.scan_wanted.emit(tmp_path / "a.nii")
 

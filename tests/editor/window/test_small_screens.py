@@ -141,7 +141,7 @@ def open_on_a_screen(folder, size, factor, reached) -> dict[str, tuple]:
     visit = f"REACHED = {reached!r}\n{REACH_EVERYTHING}"
     program = OPEN_ON_A_SCREEN.replace("VISIT", visit)
     words = [sys.executable, "-c", program, str(folder), *LANGUAGES]
-    ran = subprocess.run(words, env=env, capture_output=True, text=True)
+    ran = subprocess.run(words, env=env, capture_output=True, encoding="utf-8")
     assert ran.returncode == 0, ran.stderr
     return json.loads(ran.stdout.splitlines()[-1])
 

@@ -47,7 +47,7 @@ def without_display() -> dict[str, str]:
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="cannot be had here: a display")
 def test_without_a_display_the_verb_says_so_and_exits_1():
-    done = subprocess.run(COMMAND, env=without_display(), capture_output=True, text=True)
+    done = subprocess.run(COMMAND, env=without_display(), capture_output=True, encoding="utf-8")
 
     assert done.returncode == 1
     assert "there is no display" in done.stderr
@@ -59,7 +59,7 @@ def test_without_a_display_the_verb_says_so_and_exits_1():
 def test_a_display_that_cannot_be_reached_is_a_sentence_too():
     env = without_display() | {"DISPLAY": ":98765"}
 
-    done = subprocess.run(COMMAND, env=env, capture_output=True, text=True)
+    done = subprocess.run(COMMAND, env=env, capture_output=True, encoding="utf-8")
 
     assert done.returncode == 1
     assert "the display :98765 cannot be reached" in done.stderr
@@ -86,7 +86,7 @@ def test_the_verb_opens_a_window_with_the_file_in_it(spleen, tmp_path):
 def test_a_file_that_is_not_there_is_refused_before_a_window_opens(tmp_path):
     missing = tmp_path / "none.organ"
 
-    done = subprocess.run([*COMMAND, str(missing)], capture_output=True, text=True)
+    done = subprocess.run([*COMMAND, str(missing)], capture_output=True, encoding="utf-8")
 
     assert done.returncode == 1
     assert "no such file" in done.stderr
@@ -100,7 +100,7 @@ def test_what_a_killed_editor_left_unsaved_is_offered_and_taken_up(
     other = subprocess.Popen(
         [sys.executable, "-c", WORK_AND_DIE, str(tmp_path), str(spleen)],
         stdout=subprocess.PIPE,
-        text=True,
+        encoding="utf-8",
     )
     assert other.stdout.readline() == "kept\n"
     other.send_signal(signal.SIGKILL)

@@ -73,7 +73,7 @@ def test_every_kind_of_refusal_is_said_in_turkish(make_editor, tmp_path):
     path = tmp_path / "values.json"
     value = OwnValue("liver", "density", 1000.0, 900.0, "", "Someone 2020")
     rows = {"format": FORMAT, "version": VERSION, "values": [asdict(value)]}
-    path.write_text(json.dumps(rows))
+    path.write_text(json.dumps(rows), encoding="utf-8")
     with pytest.raises(Refusal) as refused:
         read_own_values(path)
 

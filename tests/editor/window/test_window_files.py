@@ -27,7 +27,7 @@ def test_a_mesh_that_is_dropped_comes_in(qtbot, window, spleen):
 @pytest.mark.landing
 def test_a_file_that_is_nothing_to_us_is_refused_with_a_sentence(window, tmp_path):
     stranger = tmp_path / "letter.txt"
-    stranger.write_text("Dear surgeon")
+    stranger.write_text("Dear surgeon", encoding="utf-8")
 
     drop(window, stranger)
 
