@@ -4961,6 +4961,8 @@ class PtyDevice:
         """Raises DeviceError."""
     def path(self) -> str:
         """Of the file to open."""
+    def press_buttons(self, buttons: int) -> None:
+        """From any thread: bits 0 and 1."""
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
@@ -5007,6 +5009,9 @@ class DeviceStatus:
     @property
     def faults(self) -> int:
         """Bits: whatever was noticed."""
+    @property
+    def buttons(self) -> int:
+        """Bits 0 and 1: pressed, by the last report."""
     @property
     def time(self) -> float:
         """[s] of the last report, by the host's clock."""
@@ -5090,6 +5095,7 @@ class DeviceStatus:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
         object,
         object,
         object,

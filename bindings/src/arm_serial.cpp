@@ -170,7 +170,9 @@ void bind_ports(py::module_& m) {
                         "open as if it were the serial port of the real one.")
       .def(py::init<const Plant&, const NativeCoreOptions&>(), "plant"_a = Plant(),
            "options"_a = NativeCoreOptions(), "Raises DeviceError.")
-      .def("path", &PtyDevice::path, "Of the file to open.");
+      .def("path", &PtyDevice::path, "Of the file to open.")
+      .def("press_buttons", &PtyDevice::press_buttons, "buttons"_a,
+           "From any thread: bits 0 and 1.");
 }
 
 void bind_status(py::module_& m) {
@@ -201,6 +203,7 @@ void bind_status(py::module_& m) {
       .def_readonly("first_fault", &DeviceStatus::first_fault,
                     "Bit that cut the motors, 15 for none: see name_fault.")
       .def_readonly("faults", &DeviceStatus::faults, "Bits: whatever was noticed.")
+      .def_readonly("buttons", &DeviceStatus::buttons, "Bits 0 and 1: pressed, by the last report.")
       .def_readonly("time", &DeviceStatus::time, "[s] of the last report, by the host's clock.")
       .def_readonly("counts", &DeviceStatus::counts, "Of the sensors.");
   def_vector(status, "joints", &DeviceStatus::joints, "[rad] yaw, elevation, forearm.");
@@ -234,8 +237,8 @@ void bind_status(py::module_& m) {
       .def_readonly("serial_number", &DeviceStatus::serial_number, "Of the device.");
   def_value(status, &DeviceStatus::link, &DeviceStatus::mode, &DeviceStatus::blank,
             &DeviceStatus::damaged, &DeviceStatus::degraded, &DeviceStatus::first_fault,
-            &DeviceStatus::faults, &DeviceStatus::time, &DeviceStatus::counts,
-            &DeviceStatus::joints, &DeviceStatus::gimbal, &DeviceStatus::tip,
+            &DeviceStatus::faults, &DeviceStatus::buttons, &DeviceStatus::time,
+            &DeviceStatus::counts, &DeviceStatus::joints, &DeviceStatus::gimbal, &DeviceStatus::tip,
             &DeviceStatus::force_commanded, &DeviceStatus::force_applied, &DeviceStatus::duty,
             &DeviceStatus::counters, &DeviceStatus::reports, &DeviceStatus::lost_reports,
             &DeviceStatus::damaged_frames, &DeviceStatus::commands, &DeviceStatus::report_rate,

@@ -231,7 +231,7 @@ def test_missed_ticks_are_told_while_they_are_missed(open_window, monkeypatch):
     def show(time: float, missed: int) -> str:
         changes = {"time": time, "missed_ticks": missed}
         fields = {name: getattr(frame, name) for name in frame.__slots__} | changes
-        window._show(type(frame)(**fields))
+        window.shown.show(type(frame)(**fields))
         return window.over.warning.label.text() if window.over.warning.isVisible() else ""
 
     assert show(0.5, 0) == ""

@@ -62,6 +62,10 @@ class Board(Page):
         if isinstance(button, QPushButton):
             button.click()
 
+    def confirm(self) -> None:
+        """The button of the device: as Enter."""
+        self.press()
+
 
 class Choice(QWidget):
     """Buttons in a row of which one is down."""
@@ -95,7 +99,8 @@ class Choice(QWidget):
 class StartBoard(Board):
     """The task, how a hand moves, where records go, and the way in."""
 
-    def __init__(self, parent: QWidget, folder: Path):
+    def __init__(self, parent: QWidget, folder: Path, has_button: bool = False):
+        """`has_button` of a device that is listened to while the board is shown."""
         super().__init__(parent)
         self.task = self.add("body")
         self.rows.addSpacing(4)
@@ -106,6 +111,8 @@ class StartBoard(Board):
         self.note = self.add("caption")
         for label in (self.limits, self.before, self.note):
             label.hide()
+        self.button = self.add("caption")
+        self.button.setVisible(has_button)
         self.start = self.add_button(main=True)
         self.ghost, self.check, self.history = (self.add_button() for _ in range(3))
         for button in (self.ghost, self.check, self.history):
@@ -148,6 +155,7 @@ class StartBoard(Board):
     def say(self) -> None:
         self._say_brief()
         self.gestures.say()
+        self.button.setText(translate("Player", "The button of the device does what Enter does."))
         self.start.setText(translate("Player", "Start"))
         self.ghost.setText(translate("Player", "Show me how it is done"))
         self.check.setText(translate("Player", "Check the device"))

@@ -68,6 +68,7 @@ class CheckRun(QObject):
             return
         play, window = self.window.play, self.window
         wall = build_wall(window.scene)
+        window.button.rest()
         try:
             hand = play.build_hand(wall)
             self.device = play.build_device(hand)

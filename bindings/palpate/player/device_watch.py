@@ -19,7 +19,8 @@ class DeviceWatch:
     """
 
     def __init__(self, device: palpate.HapticDevice | None = None):
-        self._driver = None if device is None else find_driver(device)
+        self.driver = None if device is None else find_driver(device)
+        """None for a device without motors."""
         self._frames = 0
 
     def say(self, fault: palpate.DeviceFault = palpate.DeviceFault.none) -> str:
@@ -29,10 +30,10 @@ class DeviceWatch:
         """
         if fault not in (palpate.DeviceFault.none, palpate.DeviceFault.motors_cut):
             return say_end_of_device(fault)
-        if self._driver is None:
+        if self.driver is None:
             return say_end_of_device(fault) if fault is palpate.DeviceFault.motors_cut else ""
-        self._driver.take_status()
-        status = self._driver.status()
+        self.driver.take_status()
+        status = self.driver.status()
         if status.link is palpate.LinkState.ready and status.mode is palpate.DeviceMode.faulted:
             text = translate(
                 "Player", "Paused: no force from the device. %1. %2 C clears the fault."
@@ -54,5 +55,5 @@ class DeviceWatch:
 
     def clear_fault(self) -> None:
         """The motors come on again, slowly, where what cut them is gone."""
-        if self._driver is not None:
-            self._driver.clear_fault()
+        if self.driver is not None:
+            self.driver.clear_fault()

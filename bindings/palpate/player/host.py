@@ -7,6 +7,7 @@ from typing import Protocol
 
 import palpate
 from palpate.player.boards import Board
+from palpate.player.device_button import DeviceButton
 from palpate.player.overlays import Overlays
 from palpate.runs.play import Play
 from palpate.viewport import View
@@ -21,6 +22,7 @@ class Host(Protocol):
     scene: palpate.Scene
     language: str
     theme: str
+    button: DeviceButton
 
     def show_board(self, board: Board | None) -> None: ...
     def use_language(self, code: str) -> None: ...

@@ -9,6 +9,7 @@ from copy import copy
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QFrame
 
+from palpate.device.names import find_port
 from palpate.player.boards import Board, EndBoard, MenuBoard, StartBoard
 from palpate.player.cards import Banner, ClockCard, KeyLine, Notice, TaskCard
 from palpate.player.check_board import CheckBoard
@@ -44,7 +45,7 @@ class Overlays(QObject):
         self.warning, self.alarm = Banner(view, "warning"), Banner(view, "alarm")
         self.pause, self.device = Banner(view, "warning"), Banner(view, "alarm")
         self.caption = Banner(view, "signal")
-        self.start = StartBoard(view, play.record_folder())
+        self.start = StartBoard(view, play.record_folder(), bool(find_port(play.arm)))
         self.menu, self.end = MenuBoard(view), EndBoard(view)
         self.who, self.consent = WhoBoard(view), ConsentBoard(view)
         self.check, self.debrief = CheckBoard(view), DebriefBoard(view)

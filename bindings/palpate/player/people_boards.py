@@ -48,6 +48,13 @@ class WhoBoard(Board):
         if not self.field.hasFocus():
             super().press()
 
+    def confirm(self) -> None:
+        """The code that stands there, while it is being written."""
+        if self.field.hasFocus():
+            self._enter()
+        else:
+            self.press()
+
     def _enter(self) -> None:
         code = self.field.text().strip().upper()
         if code:
@@ -93,6 +100,9 @@ class ConsentBoard(Board):
         """`code` is the one that is drawn for a new person; empty for a guest."""
         self._language, self._code = language, code
         self.say()
+
+    def confirm(self) -> None:
+        """Nothing: what is agreed to has to be read, and is not by a hand that tries its stylus."""
 
     def say(self) -> None:
         self.headline.setText(translate("Player", "What is kept"))

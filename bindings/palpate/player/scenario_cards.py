@@ -20,11 +20,12 @@ from PySide6.QtWidgets import (
 )
 
 from palpate.command.verb import Report
-from palpate.device.names import POINTER
+from palpate.device.names import POINTER, split_hand
 from palpate.files.refusal import Refusal
 from palpate.player.boards import Board
 from palpate.player.card_pictures import CardPictures
 from palpate.player.cards import Notice, build_label
+from palpate.player.device_button import DeviceButton
 from palpate.player.history_board import HistoryBoard
 from palpate.player.identification import Identification
 from palpate.player.people_boards import ConsentBoard, WhoBoard
@@ -100,6 +101,9 @@ class ScenariosWindow(QWidget):
         self.resize(1100, 760)
         self.say()
         self.pictures = CardPictures(self.cards, theme, self)
+        self.button = DeviceButton(split_hand(device)[0], self)
+        self.button.pressed.connect(self._take_offer)
+        self.button.listen()
         if any(card.assessment for card in self.cards):
             self.show_board(self.who)
 
@@ -227,11 +231,7 @@ class ScenariosWindow(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Enter presses the button that has the keyboard, Esc closes what is open."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            board, button = self.board(), self.focusWidget()
-            if board is not None:
-                board.press()
-            elif isinstance(button, QPushButton):
-                button.click()
+            self._take_offer(device=False)
         elif event.key() == Qt.Key.Key_Escape:
             if self.board() is self.history:
                 self.hide_board()
@@ -239,6 +239,14 @@ class ScenariosWindow(QWidget):
                 self.close()
         else:
             super().keyPressEvent(event)
+
+    def _take_offer(self, device: bool = True) -> None:
+        """Enter, or the button of the device."""
+        board, button = self.board(), self.focusWidget()
+        if board is not None:
+            board.confirm() if device else board.press()
+        elif isinstance(button, QPushButton):
+            button.click()
 
     # ------------------------------------------------------------ playing
 
@@ -248,6 +256,7 @@ class ScenariosWindow(QWidget):
     def open(self, card: ScenarioCard) -> None:
         """The trainee's window of a card, for the person at this window."""
         self._tell("")
+        self.button.rest()
         try:
             level, seed = card.level.currentText(), 0
             if card.assessment:
@@ -259,6 +268,7 @@ class ScenariosWindow(QWidget):
                 self._admit(window, play)
         except (OSError, Refusal) as problem:
             self._tell(say_refusal(str(problem)))
+            self.button.listen()
             return
         window.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
         window.closed.connect(self._come_back)
@@ -281,7 +291,9 @@ class ScenariosWindow(QWidget):
             self.language = window.language
         self.say()
         self.show()
+        self.button.listen()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.pictures.close()
+        self.button.rest()
         super().closeEvent(event)

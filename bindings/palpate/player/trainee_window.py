@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import enum
 
-import numpy as np
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
@@ -16,35 +15,26 @@ from palpate.command.verb import Report
 from palpate.files.refusal import Refusal
 from palpate.player.attendance import Attendance
 from palpate.player.boards import Board
+from palpate.player.device_button import DeviceButton
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.hand_work import Preparation
 from palpate.player.overlays import Overlays
-from palpate.player.sentences import (
-    say_damped,
-    say_end,
-    say_forces,
-    say_held,
-    say_slow,
-    translate,
-)
+from palpate.player.run_view import RunView
+from palpate.player.sentences import say_end, translate
 from palpate.player.style import build_palette, build_style
 from palpate.render.authored_appearance import find_appearance, find_colours
-from palpate.runs.live import Frame, LiveRun
+from palpate.runs.live import LiveRun
 from palpate.runs.next_attempt import draw_next
 from palpate.runs.play import Play
 from palpate.runs.play_report import describe_outcome, describe_play, describe_run
-from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
+from palpate.scene.surfaces import join_rest_surfaces, join_triangles
 from palpate.translation.refusals import say_refusal
-from palpate.viewport import PointerHands, make_view, see_instruments
+from palpate.viewport import PointerHands, make_view
 from palpate.viewport.application import FRAME_MS, use_language
 from palpate.viewport.screen import fit_to_screen
 
 SIZE = QSize(1280, 800)
 """[px] of a window on a screen with room for it."""
-SLOW = 0.02
-"""[-] share of missed ticks in a second that the trainee is told of."""
-ARROW = 0.8
-"""[-] length of the arrow that stands for a full column of force, in radii of the organ."""
 
 
 class Phase(enum.Enum):
@@ -58,8 +48,8 @@ class Phase(enum.Enum):
 
 class TraineeWindow(QWidget):
     """Plays a scenario. Space pauses, R starts again, T folds the task, F shows the force as an
-    arrow or not, F11 fills the screen, Esc opens the menu, Enter takes what a board offers, and C
-    clears the fault of a device that has cut its motors.
+    arrow or not, F11 fills the screen, Esc opens the menu, Enter and the button of the device take
+    what a board offers, and C clears the fault of a device that has cut its motors.
     """
 
     closed = Signal()
@@ -72,8 +62,6 @@ class TraineeWindow(QWidget):
         self.run: LiveRun | None = None
         self.hand: PointerHands | None = None
         self.theme, self.language = theme, language
-        self._time = self._force = 0.0
-        self._second, self._missed, self._damped = 0, 0, 0
         self._watch = DeviceWatch()
         self._costs: palpate.LoopReport | None = None
         self._problem: OSError | None = None
@@ -89,6 +77,8 @@ class TraineeWindow(QWidget):
         self.over = Overlays(self.view, play)
         self.attendance = Attendance(self, self)
         self.preparation = Preparation(self, self)
+        self.shown = RunView(self, self.attendance)
+        self.button = DeviceButton(play.arm, self)
         self._connect()
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -113,6 +103,7 @@ class TraineeWindow(QWidget):
         start.languages.chosen.connect(self.use_language)
         menu.languages.chosen.connect(self.use_language)
         menu.themes.chosen.connect(self.use_theme)
+        self.button.pressed.connect(self._confirm)
 
     # ------------------------------------------------------------ the run
 
@@ -125,6 +116,7 @@ class TraineeWindow(QWidget):
         self._finish()
         if self.preparation.start():
             return
+        self.button.rest()
         hand = self.play.build_hand()
         try:
             device, others = self.play.build_device(hand), self.play.build_others()
@@ -133,8 +125,7 @@ class TraineeWindow(QWidget):
             self.attendance.give_up()
             self._refuse(problem)
             return
-        self._time, self._force, self._second, self._missed = 0.0, 0.0, 0, 0
-        self._damped = 0
+        self.shown.reset()
         self.play.state = None
         self.over.tell_task()
         self._watch = DeviceWatch(device)
@@ -167,6 +158,7 @@ class TraineeWindow(QWidget):
             text = translate("Player", "No record can be written, so nothing was started: %1")
         self.over.alarm.tell(text.replace("%1", say_refusal(str(problem))))
         self.over.place()
+        self.show_board(self.over.board())
 
     def play_another(self) -> None:
         """The same task, with what the next seed draws."""
@@ -211,8 +203,8 @@ class TraineeWindow(QWidget):
             return
         frame = None if self.view.is_busy() else run.take_frame()
         if frame is not None:
-            self._show(frame)
-        self.over.force.show_force(self._force)
+            self.shown.show(frame)
+        self.over.force.show_force(self.shown.force)
         report = run.report()
         failed = report.fault is not palpate.DeviceFault.none
         if failed:
@@ -220,62 +212,20 @@ class TraineeWindow(QWidget):
         self.over.tell_device(self._watch.say(report.fault))
         self.over.show_pause(self.phase is Phase.paused and not failed)
         alarm = report.alarm.kind is not palpate.AlarmKind.none
-        if alarm or not run.running:
+        over = alarm or not run.running
+        del run  # else it keeps the port of the device
+        if over:
             self._end(say_end(report.alarm) if alarm else "")
-
-    def _show(self, frame: Frame) -> None:
-        self._time = frame.time
-        self.view.move_surface(join_positions(frame.positions))
-        self.view.show_instruments(see_instruments(self.scene, frame))
-        self.view.force_scale = ARROW * self.view.scenery.radius / self.over.force.range
-        self.view.show_force(frame.tool_position, frame.force)
-        self._force = float(np.linalg.norm(frame.force))
-        self.view.hud.show_rows(say_forces(frame))
-        self.over.clock.show_time(frame.time)
-        self._tell_steps(frame.task)
-        self.attendance.take(frame)
-        if int(frame.time) != self._second:
-            self._second = int(frame.time)
-            missed, self._missed = frame.missed_ticks - self._missed, frame.missed_ticks
-            held = say_held(max(frame.safeguards))
-            self.over.warning.tell(held or self._say_trouble(missed, self._count_damped(frame)))
-            self.over.place()
-
-    def _count_damped(self, frame: Frame) -> int:
-        """Interventions of the passivity controllers since this was asked last."""
-        count = sum(instrument.interventions for instrument in frame.instruments)
-        since, self._damped = count - self._damped, count
-        return since
-
-    def _say_trouble(self, missed: int, damped: int) -> str:
-        """Of the last second."""
-        due = round(self.scene.rate)
-        if missed > SLOW * due:
-            return say_slow(missed, due)
-        return say_damped(damped) if damped > 0 else ""
-
-    def _tell_steps(self, state: palpate.TaskState) -> None:
-        """Marks on the task card what is done and what is to be done now."""
-        if self.play.drawn is None:
-            return
-        before, self.play.state = self.play.state, state
-        now = [step.status for step in state.steps]
-        if before is None or now != [step.status for step in before.steps]:
-            self.over.tell_task()
-            self.over.place()
 
     def _end(self, trouble: str) -> None:
         frame = None if self.run is None else self.run.take_frame()
         if frame is not None:
-            self._time = frame.time
-            self.over.clock.show_time(frame.time)
-            self._tell_steps(frame.task)
-            self.attendance.take(frame)
+            self.shown.show_last(frame)
         self._finish()
         self.phase = Phase.over
         record = str(self.play.records[-1])
         self.over.tell_device("")
-        self.over.end.tell(self._time, self.over.force.peak, record, trouble, self.play.state)
+        self.over.end.tell(self.shown.time, self.over.force.peak, record, trouble, self.play.state)
         debrief = None if trouble else self.attendance.debrief()
         self.show_board(debrief or self.over.end)
 
@@ -286,6 +236,7 @@ class TraineeWindow(QWidget):
         if run is None:
             return
         self.over.force.rest()
+        self._watch = DeviceWatch()  # else it keeps the port of the device
         self.view.tool = None
         self.view.hint.say(None)
         try:
@@ -358,14 +309,22 @@ class TraineeWindow(QWidget):
         """One of those over the picture, or none of them."""
         self.over.show_board(board)
         if board is None:
+            self.button.rest()
             self.view.setFocus()
         else:
+            self.button.listen(self._watch.driver)
             board.focus()
 
     def _press_board(self) -> None:
         board = self.over.board()
         if board is not None:
             board.press()
+
+    def _confirm(self) -> None:
+        """What the button of the device does."""
+        board = self.over.board()
+        if board is not None:
+            board.confirm()
 
     # ------------------------------------------------------------ Qt's events
 
@@ -411,6 +370,7 @@ class TraineeWindow(QWidget):
     def closeEvent(self, event: QCloseEvent) -> None:
         self.preparation.stop()
         self.attendance.close()
+        self.button.rest()
         self._finish()
         super().closeEvent(event)
         self.closed.emit()

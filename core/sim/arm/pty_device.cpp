@@ -48,6 +48,7 @@ struct PtyDevice::Impl {
     for (std::int64_t tick = 1; !stopping.load(std::memory_order_relaxed); ++tick) {
       wait_until(start + tick * kTick, 0);
       const double time = 1e-9 * double(tick * kTick);
+      core.press_buttons(buttons.load(std::memory_order_relaxed));
       const ssize_t came = ::read(ours, bytes.data(), bytes.size());
       if (came > 0) core.write(time, std::span(bytes).first(static_cast<std::size_t>(came)));
       const std::size_t count = core.read(time, bytes);
@@ -60,6 +61,7 @@ struct PtyDevice::Impl {
   int ours = -1, theirs = -1;
   std::string path;
   std::atomic<bool> stopping{false};
+  std::atomic<std::uint8_t> buttons{0};
   std::thread thread;
 };
 
@@ -80,5 +82,9 @@ PtyDevice::PtyDevice(const Plant& plant, const NativeCoreOptions& options)
 PtyDevice::~PtyDevice() = default;
 
 std::string PtyDevice::path() const { return impl_->path; }
+
+void PtyDevice::press_buttons(std::uint8_t buttons) noexcept {
+  impl_->buttons.store(buttons, std::memory_order_relaxed);
+}
 
 }  // namespace palpate

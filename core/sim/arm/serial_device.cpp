@@ -184,6 +184,7 @@ void SerialDevice::Impl::publish(double time) noexcept {
   late = status.round_trip_median > 0.0 ? status.round_trip_median + 0.5 * kTick : 0.0;
   status.local_stiffness = local_stiffness;
   status.degraded = missing > 0 && link.state() == LinkState::ready;
+  status.buttons = link.buttons();
   status.joints = joints;
   status.gimbal = gimbal;
   status.tip = tip;

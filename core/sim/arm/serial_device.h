@@ -35,6 +35,7 @@ struct DeviceStatus {
   bool degraded = false;  ///< reports are missing: the force is taken back
   int first_fault = 15;   ///< bit that cut the motors, 15 for none: see name_fault
   int faults = 0;         ///< bits: whatever was noticed
+  int buttons = 0;        ///< bits 0 and 1: pressed, by the last report
 
   double time = 0.0;                    ///< [s] of the last report, by the host's clock
   std::array<int, 6> counts{};          ///< of the sensors

@@ -124,6 +124,8 @@ class PtyDevice {
   ~PtyDevice();  ///< unplugs it
 
   std::string path() const;
+  /// From any thread: bits 0 and 1.
+  void press_buttons(std::uint8_t buttons) noexcept;
 
  private:
   struct Impl;

@@ -56,6 +56,10 @@
         <translation>Konuk olarak: kodsuz saklanır</translation>
     </message>
     <message>
+        <source>The button of the device does what Enter does.</source>
+        <translation>Aygıtın düğmesi Enter tuşunun yaptığını yapar.</translation>
+    </message>
+    <message>
         <source>Attempts before</source>
         <translation>Önceki denemeler</translation>
     </message>
