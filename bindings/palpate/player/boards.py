@@ -20,6 +20,7 @@ from palpate.player.sentences import (
     say_keys,
     say_no_force,
     say_outcome,
+    say_stylus,
     translate,
 )
 from palpate.translation import LANGUAGES
@@ -100,19 +101,17 @@ class StartBoard(Board):
     """The task, how a hand moves, where records go, and the way in."""
 
     def __init__(self, parent: QWidget, folder: Path, has_button: bool = False):
-        """`has_button` of a device that is listened to while the board is shown."""
+        """`has_button`: the hand is on a stylus, whose button is listened to here."""
         super().__init__(parent)
         self.task = self.add("body")
         self.rows.addSpacing(4)
-        self.gestures = Table(self, say_gestures)
+        self.gestures = Table(self, say_stylus if has_button else say_gestures)
         self.rows.addWidget(self.gestures)
         self.rows.addSpacing(4)
         self.limits, self.before = self.add("body"), self.add("caption")
         self.note = self.add("caption")
         for label in (self.limits, self.before, self.note):
             label.hide()
-        self.button = self.add("caption")
-        self.button.setVisible(has_button)
         self.start = self.add_button(main=True)
         self.ghost, self.check, self.history = (self.add_button() for _ in range(3))
         for button in (self.ghost, self.check, self.history):
@@ -155,7 +154,6 @@ class StartBoard(Board):
     def say(self) -> None:
         self._say_brief()
         self.gestures.say()
-        self.button.setText(translate("Player", "The button of the device does what Enter does."))
         self.start.setText(translate("Player", "Start"))
         self.ghost.setText(translate("Player", "Show me how it is done"))
         self.check.setText(translate("Player", "Check the device"))

@@ -137,6 +137,16 @@ def say_gestures() -> list[tuple[str, str]]:
     ]
 
 
+def say_stylus() -> list[tuple[str, str]]:
+    """What a hand can do with the stylus of a device, and with the mouse beside it."""
+    return [
+        (translate("Player", "Stylus"), translate("Player", "moves the tip")),
+        (translate("Player", "Its button"), translate("Player", "take hold and pull")),
+        ("", translate("Player", "here and in the menu: as Enter")),
+        (translate("Player", "Mouse"), translate("Player", "turn the view")),
+    ]
+
+
 def say_keys() -> list[tuple[str, str]]:
     return [
         (translate("Player", "Space"), translate("Player", "pause")),

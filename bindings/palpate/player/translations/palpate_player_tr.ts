@@ -56,8 +56,24 @@
         <translation>Konuk olarak: kodsuz saklanır</translation>
     </message>
     <message>
-        <source>The button of the device does what Enter does.</source>
-        <translation>Aygıtın düğmesi Enter tuşunun yaptığını yapar.</translation>
+        <source>Stylus</source>
+        <translation>Kalem</translation>
+    </message>
+    <message>
+        <source>moves the tip</source>
+        <translation>ucu hareket ettirir</translation>
+    </message>
+    <message>
+        <source>Its button</source>
+        <translation>Düğmesi</translation>
+    </message>
+    <message>
+        <source>here and in the menu: as Enter</source>
+        <translation>burada ve menüde: Enter gibi</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Fare</translation>
     </message>
     <message>
         <source>Attempts before</source>
