@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -13,11 +14,13 @@ import numpy as np
 import palpate
 from palpate import scenario
 from palpate.command.verb import Report
+from palpate.scene.nearest import find_step
 from palpate.scene.scene_file import build_material
 from palpate.scene.scene_parts import FILLED, ModelPart
 
 from palpate_editor import authoring
 from palpate_editor.compile import (
+    build_organ,
     compile_organ,
     compile_with_tools,
     compute_stability_margin,
@@ -162,9 +165,13 @@ def build(
         refusal = split_refusal(str(problem))
         allowed = find_coupling_range(organ)
         # which is of all that build_scene refuses a tissue for
-        nearest = find_fitting(organ) if refusal[0] == "scene: tissue" else None
+        stiff = refusal[0] == "scene: tissue"
         return None, TissueFacts(
-            refusal=refusal, coupling_range=allowed, default_home=home, nearest=nearest
+            refusal=refusal,
+            coupling_range=allowed,
+            default_home=home,
+            nearest=find_fitting(organ) if stiff else None,
+            **(count_steps(organ) if stiff else {}),
         )
     tissue = scene.bodies[0].tissue
     stable_step = palpate.stable_step(tissue)
@@ -182,6 +189,12 @@ def build(
         **find_reduced(organ, tissue),
     )
     return scene, replace(found, nearest=find_overload(organ, found))
+
+
+def count_steps(organ: Organ) -> dict[str, Any]:
+    """Of a tissue that no scene takes: how long a step is stable, and how many a tick then has."""
+    step = find_step(build_organ(organ), organ.model.integrator)
+    return {"stable_step": step, "substeps": math.ceil(1.0 / (organ.hand.rate * step))}
 
 
 def find_reduced(organ: Organ, tissue: palpate.TissueModel) -> dict[str, Any]:

@@ -9,7 +9,9 @@ from palpate.scene.scene_parts import FILLED
 
 from palpate_editor.document import EMPTY, Organ
 from palpate_editor.document.constants import CHOICES
+from palpate_editor.document.cost_rules import LATE
 from palpate_editor.document.defaults import FIXED_SHARE, WALL_THICKNESS
+from palpate_editor.document.fit_rules import find_wrong_constant
 from palpate_editor.document.material_rules import EDGES_PER_RADIUS, GRAVITY
 from palpate_editor.document.organ_sizes import find_fitting_unit
 from palpate_editor.document.problems import Facts, Problem
@@ -73,6 +75,9 @@ def find_fix(problem: Problem, organ: Organ, facts: Facts) -> Edit | None:
         trial = facts.tissue.trial
         found = facts.tissue.nearest if problem.key == "hard_constant" else trial and trial.blown
         return None if not found else SetConstant(*found.key.split("."), found.limit)
+    if problem.key == LATE:
+        wrong = find_wrong_constant(facts.tissue)
+        return None if wrong is None else SetConstant(*wrong.key.split("."), wrong.limit)
     if problem.key == "low_rate":
         return SetConstant("hand", "rate", EMPTY.hand.rate)
     if problem.key == "gravity":

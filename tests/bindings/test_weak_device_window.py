@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A stone through a device that bears a soft tissue only: the trainee is told how much is missing."""
+"""A stone through a device that bears soft tissue only: a trainee is told how much is missing."""
 
 from __future__ import annotations
 

@@ -26,6 +26,8 @@ RADIUS, FORCE, RATE = (
     for name in ("instruments[0].tool.radius", "instruments[0].coupling.force_max", "rate")
 )
 """What build_scene refuses with the range that it takes."""
+LATE_MENDED = "late_tick at tick, mended"
+"""It names the constant, and its fix sets it."""
 LOW_RATE = "low_rate at hand.rate, mended"
 
 TOOL_AND_HAND = {
@@ -70,7 +72,6 @@ WRONG = {
     | {
         "material.density": LIGHT,
         "material.young_modulus": HARD_MODULUS,
-        "hand.rate": (RATE, "tissue at scene: tissue"),
     },
     "spleen": SOLID,
     "stomach": find_wall_verdicts(26)
@@ -79,8 +80,8 @@ WRONG = {
     "kidney": SOLID,
     "liver": SOLID
     | {
-        "material.density": (BORNE, "late_tick at tick"),
-        "material.young_modulus": ("late_tick at tick", BORNE),
+        "material.density": (BORNE, LATE_MENDED),
+        "material.young_modulus": (LATE_MENDED, BORNE),
         "hand.rate": (RATE, BORNE),
     },
 }
@@ -143,6 +144,24 @@ def test_a_wall_that_is_too_thin_or_too_light_is_told_with_what_would_do():
 
     for key in ("material.density", "material.wall_thickness"):
         assert name_verdict(organ, key, 1e-3) == f"hard_constant at {key}, mended"
+
+
+@pytest.mark.landing
+def test_a_rate_so_low_that_no_tick_can_be_built_is_what_is_told():
+    organ = open_organ(PUBLISHED / "gallbladder.palpate")
+
+    problems = assess(SetConstant("hand", "rate", 1.0)(organ)).problems
+
+    assert name_verdict(organ, "hand.rate", 1e-3) == LOW_RATE
+    assert [p.key for p in problems if p.severity == "error"] == ["low_rate"]
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize(("field", "factor"), [("density", 1e-3), ("young_modulus", 1e3)])
+def test_a_late_tick_of_a_wrong_constant_is_mended_by_its_fix(field, factor):
+    organ = open_organ(PUBLISHED / "liver.palpate")
+
+    assert name_verdict(organ, f"material.{field}", factor) == LATE_MENDED
 
 
 OTHERS = ("spleen", "stomach", "collecting_system", "kidney", "liver")

@@ -173,15 +173,22 @@ def round_up(value: float) -> float:
     return math.ceil(value / digit) * digit
 
 
+def find_least_rate(organ: Organ, tissue: TissueFacts) -> float | None:
+    """[Hz] with which a tick has not too many steps; None where it has not, or where the usual rate
+    would not do either."""
+    rate, usual = organ.hand.rate, HandPart().rate
+    least = rate * count_substeps(tissue) / MOST_SUBSTEPS
+    return least if rate < least <= usual else None
+
+
 def find_substep_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
     """Whether a tick has more steps than one can end in time: of a rate so low that ticks alone are
     too long, whose steps would fit at the usual one, the rate is told."""
     tissue = facts.tissue
     if tissue is None or count_substeps(tissue) <= MOST_SUBSTEPS:
         return
-    rate, usual = organ.hand.rate, HandPart().rate
-    least = rate * count_substeps(tissue) / MOST_SUBSTEPS
-    if rate < least <= usual:
+    rate, usual, least = organ.hand.rate, HandPart().rate, find_least_rate(organ, tissue)
+    if least is not None:
         yield Problem(
             "low_rate",
             "error",

@@ -9,6 +9,7 @@ from math import hypot
 from palpate.scene.scene_parts import FILLED, WITH_NEAR_FIELD
 
 from palpate_editor.document.constants import CHOICES, CONSTANTS, SURFACES
+from palpate_editor.document.cost_rules import find_least_rate
 from palpate_editor.document.fit_rules import find_wrong_constant
 from palpate_editor.document.organ import Organ
 from palpate_editor.document.phrase import phrase
@@ -58,7 +59,7 @@ def find_material_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
             if filled
             else phrase("a closed surface, or the thickness of its wall"),
         )
-    elif facts.tissue.refusal is not None and not wrong and not find_wrong_constant(facts.tissue):
+    elif facts.tissue.refusal is not None and not wrong and not is_blamed(organ, facts.tissue):
         yield from refuse_tissue(facts.tissue)
     yield from find_tissue_problems(organ)
     yield from find_support_problems(organ)
@@ -102,6 +103,11 @@ def find_constant_problems(organ: Organ) -> Iterator[Problem]:
                 phrase("{value}", value=value),
                 phrase("one of {allowed}", allowed=", ".join(allowed)),
             )
+
+
+def is_blamed(organ: Organ, tissue: TissueFacts) -> bool:
+    """Whether a constant, or the rate, is told to ask for too many steps."""
+    return find_wrong_constant(tissue) is not None or find_least_rate(organ, tissue) is not None
 
 
 def refuse_tissue(tissue: TissueFacts) -> Iterator[Problem]:
