@@ -67,7 +67,7 @@ WRONG = {
         "material.poisson_ratio": (REFUSED, BORNE),
         "hand.rate": (RATE, BORNE),
     },
-    "simple_tissue": find_wall_verdicts(0) | {"hand.force_max": (FORCE, ENDED)},
+    "simple_tissue": find_wall_verdicts(0),
     "gallbladder": find_wall_verdicts(16)
     | {
         "material.density": LIGHT,
@@ -188,3 +188,10 @@ def test_what_was_mended_of_a_shipped_organ_runs_for_a_minute(name):
     )
 
     assert bears_presses(told.fix(wrong), 60.0)
+
+
+@pytest.mark.landing
+def test_a_hand_that_may_push_with_next_to_nothing_ends_no_run():
+    organ = open_organ(PUBLISHED / "simple_tissue.palpate")
+
+    assert name_verdict(organ, "hand.force_max", 1e-3) == BORNE

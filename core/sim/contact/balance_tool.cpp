@@ -113,6 +113,24 @@ Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3
   return part * step;
 }
 
+bool is_at_limit(const Coupling& coupling, const Vec3& to_hand) noexcept {
+  return coupling.stiffness * to_hand.norm() > coupling.force_max;
+}
+
+/// [N/m] By which the pull of the hand's spring answers to the tool's way. One that is at its limit
+/// pulls no less from nearer: along the sum of the contacts only what it turns by is left, so that
+/// a tool that has come too deep is put where its contacts bear that pull in a step or two, not
+/// pushed there against a spring that there is none of. Across it is left as it is: steps come out
+/// short there.
+Mat3 find_pull_slope(const Coupling& coupling, const Vec3& to_hand, const Vec3& contact) noexcept {
+  const Mat3 whole = coupling.stiffness * Mat3::Identity();
+  const double distance = to_hand.norm(), force = contact.norm();
+  if (!is_at_limit(coupling, to_hand) || !(force > 0.0)) return whole;
+  const Vec3 n = contact / force, u = to_hand / distance;
+  const double turned = coupling.force_max / distance * (1.0 - n.dot(u) * n.dot(u));
+  return whole - (coupling.stiffness - turned) * (n * n.transpose());
+}
+
 /// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing is where the hand
 /// is, to the bit, so that it feels exactly 0 N. `stuck` [m] is where friction would keep it.
 Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, const Vec3& hand,
@@ -125,7 +143,7 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
     return to_hand.norm() <= most ? hand : Vec3(p + limit(to_hand, most));
   }
   const Vec3 residual = limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force;
-  const Mat3 jacobian = coupling.stiffness * Mat3::Identity() + touch.stiffness;
+  const Mat3 jacobian = find_pull_slope(coupling, to_hand, touch.contact) + touch.stiffness;
   const bool rubs = around.shape.tool.friction > 0.0 && !touch.contact.isZero(0.0);
   const Vec3 whole =
       rubs ? find_friction_step({residual - touch.contact, touch.contact,
@@ -272,7 +290,10 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   if (state.patch_count > 0) state.position += carry;
   const bool soft = has_near_field(around);
   const double shortest = soft ? kShortestStep : 0.0;
-  for (int i = 0; i < (soft ? kNewtonStepsNear : kNewtonSteps); ++i) {
+  for (int i = 0; i < kNewtonStepsNear; ++i) {
+    // one at its limit that has lost the surface goes far beyond it first
+    const bool last = i == kNewtonSteps && !soft;
+    if (last && !is_at_limit(coupling, hand_position - state.position)) break;
     const Vec3 next = take_newton_step(around, coupling, hand_position, stuck, state.position);
     // contacts stay those of where it is
     if (next != hand_position && (next - state.position).norm() < shortest) break;

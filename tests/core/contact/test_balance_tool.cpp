@@ -156,6 +156,25 @@ TEST_CASE("the hand's spring never pulls harder than its limit, and the tissue b
   CHECK(bench.state.position.norm() > 0.025);
 }
 
+TEST_CASE("a weak hand that has lost the surface finds it again without a blow") {
+  // it goes to the hand first, millimetres behind the surface, and comes back in the same call
+  for (const double force : {0.005, 0.05, 0.5}) {
+    for (const double deep : {0.5e-3, 1e-3, 3e-3}) {
+      Bench bench(make_ball(), {.radius = 0.007, .stiffness = 3e7});
+      bench.coupling = {.stiffness = 1000.0, .force_max = force};
+      const double above = 0.025 + bench.tool.radius + 2e-5;
+      bench.move_hand({0, 0, above});
+      REQUIRE(!bench.state.touching);
+
+      const Vec3 felt = bench.move_hand({0, 0, above - deep});
+
+      CHECK(felt.norm() <= force * (1.0 + 1e-12));
+      CHECK(bench.force_on_particles().norm() < 1.05 * force);
+      CHECK(bench.state.residual.norm() < 0.05 * force);
+    }
+  }
+}
+
 TEST_CASE("no flick of the hand takes the tool through a surface, however far it goes") {
   Bench bench(make_ball(2), {.radius = 0.0015, .stiffness = 4e7});
   Dice dice(33);
