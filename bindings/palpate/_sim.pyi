@@ -5889,6 +5889,25 @@ class BodySnapshot:
     def __repr__(self) -> str:
         """The value on one line."""
 
+class RigidSnapshot:
+    """A rigid body as a reader sees it."""
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """[m] of its frame. Shape (3,), a view."""
+    @position.setter
+    def position(self, value: ArrayLike) -> None: ...
+    @property
+    def orientation(self) -> NDArray[np.float64]:
+        """[-] Of its frame: unit quaternion (x, y, z, w), shape (4,); a view."""
+    def __copy__(self) -> RigidSnapshot:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> RigidSnapshot:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class InstrumentSnapshot:
     """An instrument and its device as a reader sees them."""
     @property
@@ -5971,6 +5990,9 @@ class Snapshot:
     def bodies(self) -> tuple:
         """As Scene.bodies, a tuple."""
     @property
+    def rigid(self) -> tuple:
+        """As Scene.rigid, a tuple."""
+    @property
     def instruments(self) -> tuple:
         """As Scene.instruments, a tuple."""
     @property
@@ -6009,7 +6031,7 @@ class Snapshot:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[object, object, object, object, object, object, object, object]: ...
+    ) -> tuple[object, object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

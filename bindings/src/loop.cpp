@@ -65,6 +65,17 @@ void bind_snapshot(py::module_& m) {
   def_value(body, &BodySnapshot::position, &BodySnapshot::substeps, &BodySnapshot::safeguard);
   def_repr(body, {"substeps", "safeguard"});
 
+  py::class_<RigidSnapshot> rigid(m, "RigidSnapshot", "A rigid body as a reader sees it.");
+  def_vector(rigid, "position", &RigidSnapshot::position, "[m] of its frame.");
+  rigid.def_property_readonly(
+      "orientation",
+      [](const py::object& self) {
+        return view_one(self.cast<RigidSnapshot&>().orientation, self);
+      },
+      "[-] Of its frame: unit quaternion (x, y, z, w), shape (4,); a view.");
+  def_value(rigid, &RigidSnapshot::position, &RigidSnapshot::orientation);
+  def_repr(rigid, {"position", "orientation"});
+
   py::class_<InstrumentSnapshot> instrument(m, "InstrumentSnapshot",
                                             "An instrument and its device as a reader sees them.");
   instrument.def_readonly("sample", &InstrumentSnapshot::sample, "What the device said.");
@@ -104,6 +115,7 @@ void bind_snapshot(py::module_& m) {
   snapshot.def_readonly("tick", &Snapshot::tick, "Number of the tick it shows.")
       .def_readonly("time", &Snapshot::time, "[s]");
   def_elements(snapshot, "bodies", &Snapshot::bodies, "As Scene.bodies, a tuple.");
+  def_elements(snapshot, "rigid", &Snapshot::rigid, "As Scene.rigid, a tuple.");
   def_elements(snapshot, "instruments", &Snapshot::instruments, "As Scene.instruments, a tuple.");
   for (const char* name :
        {"sample", "tool_position", "force", "touching", "motors", "interventions"}) {
@@ -120,8 +132,9 @@ void bind_snapshot(py::module_& m) {
   snapshot.def_readonly("cost", &Snapshot::cost, "[s] of the last tick.")
       .def_readonly("lateness", &Snapshot::lateness, "[s] of the last tick.")
       .def_readonly("missed_ticks", &Snapshot::missed_ticks, "Skipped so far.");
-  def_value(snapshot, &Snapshot::tick, &Snapshot::time, &Snapshot::bodies, &Snapshot::instruments,
-            &Snapshot::cost, &Snapshot::lateness, &Snapshot::missed_ticks, &Snapshot::task);
+  def_value(snapshot, &Snapshot::tick, &Snapshot::time, &Snapshot::bodies, &Snapshot::rigid,
+            &Snapshot::instruments, &Snapshot::cost, &Snapshot::lateness, &Snapshot::missed_ticks,
+            &Snapshot::task);
   def_repr(snapshot, {"tick", "time", "instruments"});
 }
 

@@ -134,6 +134,10 @@ void bind_limits(py::module_& m) {
   m.attr("MOST_BODIES") = scenario::kMostBodies;
   m.attr("MOST_BODY_PAIRS") = scenario::kMostBodyPairs;
   m.attr("MOST_INSTRUMENTS") = scenario::kMostInstruments;
+  m.attr("MOST_RIGID") = scenario::kMostRigid;
+  m.attr("MOST_SCENERY") = scenario::kMostScenery;
+  m.attr("MOST_HARD_VERTICES") = scenario::kMostHardVertices;
+  m.attr("MOST_HARD_TRIANGLES") = scenario::kMostHardTriangles;
   m.attr("MOST_PARTICLES") = scenario::kMostParticles;
   m.attr("MOST_TRIANGLES") = scenario::kMostTriangles;
   m.attr("MOST_LINKS") = scenario::kMostLinks;

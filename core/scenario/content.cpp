@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "palpate/scenario/body_pairs.h"
+#include "palpate/scenario/hard_parts.h"
 #include "palpate/scenario/json_fields.h"
 #include "palpate/scenario/tables.h"
 
@@ -54,8 +55,6 @@ Json print_body(const SoftBody& body) {
   return printed;
 }
 
-Json print_vector(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 Json print_jaws(const Jaws& jaws) {
   return {{"hinge", print_vector(jaws.hinge)},
           {"axis", print_vector(jaws.axis)},
@@ -87,6 +86,7 @@ Json print_scene(const Scene& scene) {
                   {"instruments", Json::array()},
                   {"gravity", print_vector(scene.gravity)},
                   {"rate", scene.rate}};
+  print_hard_parts(scene, printed);
   // only where there is one: a file without is what it was before there were any
   if (scene.exchange_rate > 0.0) printed["exchange_rate"] = scene.exchange_rate;
   for (const SoftBody& body : scene.bodies) printed["bodies"].push_back(print_body(body));
@@ -104,19 +104,6 @@ void parse_tissue(Fields fields, TissueModel& tissue) {
   tissue.damping_law = static_cast<DampingLaw>(fields.choice("damping_law", kDampingLaws));
   tissue.angle_law = static_cast<AngleLaw>(fields.choice("angle_law", kAngleLaws));
   fields.finish();
-}
-
-Vec3 parse_vector(Fields& fields, const char* name) {
-  const Json& list = fields.any(name);
-  Vec3 vector;
-  bool numbers = list.is_array() && list.size() == 3;
-  for (int axis = 0; numbers && axis < 3; ++axis) {
-    const Json& number = list[static_cast<std::size_t>(axis)];
-    numbers = number.is_number();
-    if (numbers) vector[axis] = number.get<double>();
-  }
-  if (!numbers) fields.refuse(name, describe(list), "a list of 3 numbers");
-  return vector;
 }
 
 /// Symplectic Euler where there is none.
@@ -210,6 +197,7 @@ void parse_scene(Fields fields, Scene& scene) {
     scene.bodies.push_back(parse_body(std::move(body)));
   }
   parse_pairs(fields, scene);
+  parse_hard_parts(fields, scene);
   scene.instruments.clear();
   for (Fields& instrument : fields.objects("instruments", kMostInstruments)) {
     scene.instruments.push_back(parse_instrument(std::move(instrument)));

@@ -66,16 +66,58 @@ void check_derived(const std::string& place, const SoftBody& found, const SoftBo
 
 /// A file has no kernels, and every reader chooses: under the one it chooses for a linear solid,
 /// nothing touches that solid but instruments.
+void check_kernel(const Scene& scene, int index) {
+  if (index < 0 || static_cast<std::size_t>(index) >= scene.bodies.size()) return;
+  if (scene.bodies[static_cast<std::size_t>(index)].tissue.elastic.corners.empty()) return;
+  refuse(write_text("scene.bodies[", index, "].tissue.elastic"),
+         "a linear solid that touches more than instruments",
+         "a tissue of another law: a file's linear solids are solved by their response, which "
+         "neither other bodies nor stones nor scenery can touch");
+}
+
 void check_kernels(const Scene& scene) {
   for (const BodyPair& pair : scene.body_pairs) {
-    for (const int index : {pair.first, pair.second}) {
-      if (index < 0 || static_cast<std::size_t>(index) >= scene.bodies.size()) continue;
-      if (scene.bodies[static_cast<std::size_t>(index)].tissue.elastic.corners.empty()) continue;
-      refuse(write_text("scene.bodies[", index, "].tissue.elastic"),
-             "a linear solid in a pair of body_pairs",
-             "a tissue of another law: a file's linear solids are solved by their response, which "
-             "other bodies cannot touch");
-    }
+    check_kernel(scene, pair.first);
+    check_kernel(scene, pair.second);
+  }
+  for (const Scenery& part : scene.scenery) {
+    for (const int index : part.bodies) check_kernel(scene, index);
+  }
+  if (scene.rigid.empty()) return;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) check_kernel(scene, static_cast<int>(b));
+}
+
+/// Rigid bodies get their meshes, if they have none, from build_scene.
+void check_rigid_meshes(const Scene& scene) {
+  for (std::size_t r = 0; r < scene.rigid.size(); ++r) {
+    if (!scene.rigid[r].mesh.triangles.empty()) continue;
+    refuse(write_text("scene.rigid[", r, "].mesh"), "no triangles",
+           "a closed mesh, which build_scene makes of the spheres where there is none");
+  }
+}
+
+/// Of rigid bodies and scenery together.
+void check_hard_counts(const Scene& scene) {
+  std::size_t vertices = 0, triangles = 0;
+  const auto add = [&](const std::string& where, const SurfaceMesh& mesh) {
+    vertices += mesh.vertices.size();
+    triangles += mesh.triangles.size();
+    if (vertices <= kMostHardVertices && triangles <= kMostHardTriangles) return;
+    refuse(where + ".mesh",
+           write_text(vertices, " vertices and ", triangles, " triangles with those before"),
+           write_text("at most ", kMostHardVertices, " and ", kMostHardTriangles,
+                      " of all rigid bodies and scenery"));
+  };
+  const auto check_most = [](const char* name, std::size_t count, std::size_t most) {
+    if (count > most) refuse(name, write_text(count), write_text("0 to ", most));
+  };
+  check_most("scene.rigid", scene.rigid.size(), kMostRigid);
+  check_most("scene.scenery", scene.scenery.size(), kMostScenery);
+  for (std::size_t r = 0; r < scene.rigid.size(); ++r) {
+    add(write_text("scene.rigid[", r, "]"), scene.rigid[r].mesh);
+  }
+  for (std::size_t s = 0; s < scene.scenery.size(); ++s) {
+    add(write_text("scene.scenery[", s, "]"), scene.scenery[s].mesh);
   }
 }
 
@@ -95,6 +137,7 @@ void check_counts(const Scene& scene) {
           [&table](const Tissue& t) { return laws::count_rows(t, table); });
   });
   check("triangles", kMostTriangles, [](const Tissue& t) { return t.triangles.size(); });
+  check_hard_counts(scene);
 }
 
 Scene check_built(const Scene& scene) {
@@ -106,6 +149,7 @@ Scene check_built(const Scene& scene) {
     refuse(write_text("scene.bodies[", b, "].substeps"), "0", "the result of build_scene");
   }
   check_kernels(scene);
+  check_rigid_meshes(scene);
   Scene built = build_scene(scene);
   if (built.body_pairs.size() != scene.body_pairs.size()) {
     refuse("scene.body_pairs", write_text(scene.body_pairs.size()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/scenario/json_fields.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "palpate/scenario/container.h"
@@ -144,6 +145,28 @@ double Fields::number(const char* name) {
 
 double Fields::number_or(const char* name, double usual) {
   return object_.contains(name) ? number(name) : usual;
+}
+
+std::vector<double> Fields::numbers(const char* name, std::size_t count) {
+  const Json& list = any(name);
+  if (!list.is_array() || list.size() != count ||
+      !std::ranges::all_of(list, [](const Json& number) { return number.is_number(); })) {
+    refuse(name, describe(list), "a list of " + std::to_string(count) + " numbers");
+  }
+  return list.get<std::vector<double>>();
+}
+
+std::vector<int> Fields::indices(const char* name, std::size_t most, std::size_t below) {
+  const Json& list = any(name);
+  const auto is_index = [below](const Json& index) {
+    return index.is_number_unsigned() && index.get<std::uint64_t>() < below;
+  };
+  if (!list.is_array() || list.size() > most || !std::ranges::all_of(list, is_index)) {
+    refuse(name, list.is_array() ? list.dump().substr(0, 60) : describe(list),
+           "a list of at most " + std::to_string(most) + " whole numbers from 0 to " +
+               std::to_string(below - 1));
+  }
+  return list.get<std::vector<int>>();
 }
 
 std::int64_t Fields::whole(const char* name, std::int64_t least, std::int64_t most) {

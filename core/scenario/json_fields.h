@@ -42,6 +42,10 @@ class Fields {
   std::string text(const char* name, std::size_t most_bytes);
   double number(const char* name);
   double number_or(const char* name, double usual);  ///< where it is missing
+  /// A list of `count` numbers.
+  std::vector<double> numbers(const char* name, std::size_t count);
+  /// A list of at most `most` whole numbers, each of 0 to `below` - 1.
+  std::vector<int> indices(const char* name, std::size_t most, std::size_t below);
   std::int64_t whole(const char* name, std::int64_t least, std::int64_t most);
   /// The one of `names` that the member is.
   std::size_t choice(const char* name, std::initializer_list<const char*> names);

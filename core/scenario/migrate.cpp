@@ -95,24 +95,41 @@ void add_bodies_and_instruments(Container& container) {
   container.content = content.dump();
 }
 
+/// Refuses a member that a file says to have had before there was such a thing.
+void refuse_new(const Container& container, const Json& scene, const char* member, int version) {
+  if (!scene.contains(member)) return;
+  throw FileError("", "manifest.json: content.scene." + std::string(member),
+                  "one in a file of version " + std::to_string(container.version),
+                  "none, which came with version " + std::to_string(version));
+}
+
 /// Version 6 has pairs of bodies that touch; none of a file of before do.
 void add_body_pairs(Container& container) {
   Json content = parse_object(container.content, "", "content");
   if (!content.contains("scene") || !content["scene"].is_object()) return;
   Json& scene = content["scene"];
-  if (scene.contains("body_pairs")) {
-    throw FileError("", "manifest.json: content.scene.body_pairs",
-                    "one in a file of version " + std::to_string(container.version),
-                    "none, which came with version 6");
-  }
+  refuse_new(container, scene, "body_pairs", 6);
   scene["body_pairs"] = Json::array();
+  container.content = content.dump();
+}
+
+/// Version 7 has rigid bodies, scenery and a fluid; scenes of a file of before have none.
+void add_hard_parts(Container& container) {
+  Json content = parse_object(container.content, "", "content");
+  if (!content.contains("scene") || !content["scene"].is_object()) return;
+  Json& scene = content["scene"];
+  for (const char* member : {"rigid", "scenery", "fluid"}) refuse_new(container, scene, member, 7);
+  scene["rigid"] = Json::array();
+  scene["scenery"] = Json::array();
+  scene["fluid"] = {{"density", 0.0}, {"viscosity", 0.0}};
   container.content = content.dump();
 }
 
 /// Version 2 has walls of prisms, and solids; version 3 linear solids; version 5 corotated and
 /// neo-Hookean ones.
-constexpr std::array<Migration, 5> kMigrations = {
-    add_laws<2>, add_laws<3>, add_bodies_and_instruments, add_laws_to_bodies<5>, add_body_pairs};
+constexpr std::array<Migration, 6> kMigrations = {
+    add_laws<2>,           add_laws<3>,    add_bodies_and_instruments,
+    add_laws_to_bodies<5>, add_body_pairs, add_hard_parts};
 
 }  // namespace
 

@@ -36,6 +36,24 @@ void append_columns(std::vector<Range>& ranges) {
   });
 }
 
+void append_hard_parts(std::vector<Range>& ranges) {
+  ranges.push_back({"scene.rigid[i].mass", "kg", 1e-12, 1e3});
+  ranges.push_back({"scene.rigid[i].inertia", "kg·m²", 1e-24, 1e4});
+  ranges.push_back({"scene.rigid[i].position", "m", -10.0, 10.0});
+  // a unit one, but for rounding
+  ranges.push_back({"scene.rigid[i].orientation", "-", -1.001, 1.001});
+  ranges.push_back({"scene.rigid[i].friction", "-", 0.0, 2.0});
+  ranges.push_back({"scene.rigid[i].stiffness", "N/m³", 1e3, 1e12});
+  ranges.push_back({"scene.rigid[i].contact_stiffness", "N/m", 0.1, 1e6});
+  ranges.push_back({"scene.scenery[i].friction", "-", 0.0, 2.0});
+  ranges.push_back({"scene.fluid.density", "kg/m³", 0.0, 2e4});
+  ranges.push_back({"scene.fluid.viscosity", "Pa·s", 0.0, 1e3});
+  ranges.push_back({"scene/rigid/i/mesh/vertices", "m", -1.0, 1.0});
+  ranges.push_back({"scene/rigid/i/sphere_centres", "m", -1.0, 1.0});
+  ranges.push_back({"scene/rigid/i/sphere_radii", "m", 1e-5, 0.5});
+  ranges.push_back({"scene/scenery/i/mesh/vertices", "m", -10.0, 10.0});
+}
+
 // CONTAINER.md has the same table
 std::vector<Range> build_ranges() {
   std::vector<Range> ranges;
@@ -60,6 +78,7 @@ std::vector<Range> build_ranges() {
   ranges.push_back({"scene.body_pairs[i].thickness", "m", 1e-5, 5e-3});
   ranges.push_back({"scene.body_pairs[i].stiffness", "N/m³", 1e3, 1e13});
   ranges.push_back({"scene.body_pairs[i].damping", "-", 0.0, 1.0});
+  append_hard_parts(ranges);
   append_numbers(ranges);
   ranges.push_back({"scene.bodies[i].tissue.pressure", "Pa", -1e6, 1e6});
   ranges.push_back({"scene.bodies[i].tissue.drag", "1/s", 0.0, 1e6});
@@ -91,22 +110,18 @@ std::string write_place(std::string_view name, std::size_t index) {
   return write_text(name.substr(0, at + 1), index, name.substr(at + 2));
 }
 
-void check_empty(const char* name, std::size_t count) {
-  if (count != 0) refuse(name, write_text(count), "0, which is what a file holds");
-}
-
 void check_number(const std::string& name, double value, std::size_t index = 0) {
   const Range& range = find_range(name);
   if (!holds(range, value)) refuse_number(range, write_place(name, index), value);
 }
 
 template <class Row>
-void check_table(const char* name, const std::vector<Row>& table, std::size_t body) {
+void check_table(const char* name, const std::vector<Row>& table, std::size_t index) {
   const Range& range = find_range(name);
   for (std::size_t at = 0; at < table.size(); ++at) {
     const auto check = [&](double value) {
       if (holds(range, value)) return;
-      refuse_number(range, write_text(write_place(name, body), ": row ", at), value);
+      refuse_number(range, write_text(write_place(name, index), ": row ", at), value);
     };
     if constexpr (RowOf<Row>::columns == 0) {
       check(table[at]);
@@ -115,6 +130,18 @@ void check_table(const char* name, const std::vector<Row>& table, std::size_t bo
     }
   }
 }
+
+/// Every table of numbers of what has this number.
+struct TableCheck {
+  std::size_t index;
+
+  template <class Row>
+  void operator()(const std::string& name, const std::vector<Row>& table) const {
+    if constexpr (std::is_same_v<typename RowOf<Row>::Number, double>) {
+      check_table(name.c_str(), table, index);
+    }
+  }
+};
 
 void check_jaws(const Tool& tool, std::size_t i) {
   if (!tool.jaws) return;
@@ -154,14 +181,27 @@ void check_body(const SoftBody& body, std::size_t b) {
   });
   check_number("scene.bodies[i].tissue.pressure", tissue.pressure, b);
   check_number("scene.bodies[i].tissue.drag", tissue.drag, b);
-  const auto check = [b](const std::string& name, const auto& table) {
-    using Row = typename std::decay_t<decltype(table)>::value_type;
-    if constexpr (std::is_same_v<typename RowOf<Row>::Number, double>) {
-      check_table(name.c_str(), table, b);
-    }
-  };
+  const TableCheck check{b};
   visit_body("scene/bodies/i/", body, check);
   check("scene/bodies/i/contact/far_compliance", body.far_compliance);
+}
+
+void check_rigid(const RigidBody& body, std::size_t r) {
+  check_number("scene.rigid[i].mass", body.mass, r);
+  for (const double about : body.inertia) check_number("scene.rigid[i].inertia", about, r);
+  for (const double at : body.position) check_number("scene.rigid[i].position", at, r);
+  for (const double part : body.orientation.coeffs()) {
+    check_number("scene.rigid[i].orientation", part, r);
+  }
+  check_number("scene.rigid[i].friction", body.friction, r);
+  check_number("scene.rigid[i].stiffness", body.stiffness, r);
+  check_number("scene.rigid[i].contact_stiffness", body.contact_stiffness, r);
+  visit_rigid("scene/rigid/i/", body, TableCheck{r});
+}
+
+void check_scenery(const Scenery& part, std::size_t s) {
+  check_number("scene.scenery[i].friction", part.friction, s);
+  visit_scenery("scene/scenery/i/", part, TableCheck{s});
 }
 
 }  // namespace
@@ -172,8 +212,6 @@ const std::vector<Range>& list_ranges() {
 }
 
 void check_ranges(const Scene& scene) {
-  check_empty("scene.rigid", scene.rigid.size());
-  check_empty("scene.scenery", scene.scenery.size());
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
     check_instrument(scene.instruments[i], i);
   }
@@ -183,6 +221,10 @@ void check_ranges(const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     check_body(scene.bodies[b], b);
   }
+  for (std::size_t r = 0; r < scene.rigid.size(); ++r) check_rigid(scene.rigid[r], r);
+  for (std::size_t s = 0; s < scene.scenery.size(); ++s) check_scenery(scene.scenery[s], s);
+  check_number("scene.fluid.density", scene.fluid.density);
+  check_number("scene.fluid.viscosity", scene.fluid.viscosity);
   for (std::size_t p = 0; p < scene.body_pairs.size(); ++p) {
     const BodyPair& pair = scene.body_pairs[p];
     check_number("scene.body_pairs[i].thickness", pair.thickness, p);

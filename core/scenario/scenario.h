@@ -20,6 +20,11 @@ inline constexpr std::size_t kMostBodies = 16;
 inline constexpr std::size_t kMostBodyPairs =
     kMostBodies * (kMostBodies + 1) / 2;             ///< each two, and each with itself
 inline constexpr std::size_t kMostInstruments = 16;  ///< as many as a record has room for
+inline constexpr std::size_t kMostRigid = 16;        ///< stones and the like
+inline constexpr std::size_t kMostScenery = 16;
+// The meshes of all rigid bodies and scenery together: a table and a bone as a scan has them.
+inline constexpr std::size_t kMostHardVertices = 20'000;
+inline constexpr std::size_t kMostHardTriangles = 2 * kMostHardVertices;
 
 // The largest tissue that a file may hold, all its bodies together: more than ticks 1000 times a
 // second, and little enough that the longest search for its eigenvalues ends within 5 s.

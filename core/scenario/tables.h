@@ -17,7 +17,7 @@ namespace palpate::scenario {
 /// visit(name, table) for every column of a law or the skin; what follows from others is in no
 /// file, and numbers that stand alone are not tables.
 template <class SomeTissue, class Visit>
-void visit_laws(const std::string& folder, SomeTissue& tissue, Visit& visit) {
+void visit_laws(const std::string& folder, SomeTissue& tissue, const Visit& visit) {
   laws::for_each_table([&]<class Table>(const Table& table) {
     using T = typename Table::Rows;
     auto& rows = tissue.*table.of;
@@ -51,7 +51,7 @@ inline std::string name_folder(std::size_t body) {
 }
 
 template <class SomeBody, class Visit>
-void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
+void visit_body(const std::string& folder, SomeBody& body, const Visit& visit) {
   // kernel and vector target belong to the machine a scene runs on, a response and a near field are
   // solved for again: no file has them
   auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, iterations, simd_target,
@@ -68,6 +68,24 @@ void visit_body(const std::string& folder, SomeBody& body, Visit& visit) {
   visit(folder + "rest_areas", rest_areas);
 }
 
+/// visit(name, table) for every table of a rigid body or of scenery.
+template <class SomeRigid, class Visit>
+void visit_rigid(const std::string& folder, SomeRigid& body, const Visit& visit) {
+  auto& [mesh, sphere_centres, sphere_radii, mass, inertia, position, orientation, friction,
+         stiffness, contact_stiffness] = body;
+  visit(folder + "mesh/vertices", mesh.vertices);
+  visit(folder + "mesh/triangles", mesh.triangles);
+  visit(folder + "sphere_centres", sphere_centres);
+  visit(folder + "sphere_radii", sphere_radii);
+}
+
+template <class SomeScenery, class Visit>
+void visit_scenery(const std::string& folder, SomeScenery& part, const Visit& visit) {
+  auto& [mesh, bodies, friction] = part;
+  visit(folder + "mesh/vertices", mesh.vertices);
+  visit(folder + "mesh/triangles", mesh.triangles);
+}
+
 /// Of a body: the one table that a file has only where it is not empty.
 inline std::string name_far_compliance(std::size_t body) {
   return name_folder(body) + "contact/far_compliance";
@@ -80,6 +98,12 @@ void visit_tables(SomeScene& scene, Visit visit) {
   auto& [bodies, rigid, scenery, fluid, instruments, body_pairs, gravity, rate, exchange_rate,
          identity] = scene;
   for (std::size_t b = 0; b < bodies.size(); ++b) visit_body(name_folder(b), bodies[b], visit);
+  for (std::size_t r = 0; r < rigid.size(); ++r) {
+    visit_rigid("scene/rigid/" + std::to_string(r) + "/", rigid[r], visit);
+  }
+  for (std::size_t s = 0; s < scenery.size(); ++s) {
+    visit_scenery("scene/scenery/" + std::to_string(s) + "/", scenery[s], visit);
+  }
 }
 
 }  // namespace palpate::scenario

@@ -18,6 +18,8 @@ FILES = (
     *(
         "sim/tick/world.cpp",
         "sim/tick/private/touch_bodies.cpp",
+        "sim/tick/private/check_scenery.cpp",
+        "sim/tick/private/build_rigid.cpp",
         "sim/collision/choose_barrier.cpp",
         "sim/packed/private/active_rule.cpp",
         "sim/implicit/implicit_stepper.cpp",

@@ -318,7 +318,7 @@ HOSTILE: dict[str, tuple[Make, str]] = {
         'got "organ", expected "palpate"',
     ),
     "a newer version": (
-        lambda good: with_manifest(good, set_in("version", 7)),
+        lambda good: with_manifest(good, set_in("version", 8)),
         "the file was made by a newer program",
     ),
     "version 0": (lambda good: with_manifest(good, set_in("version", 0)), "version: got 0"),

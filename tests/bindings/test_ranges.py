@@ -37,6 +37,16 @@ def build_tissue(kind: str) -> palpate.TissueModel:
     return build(solid, soft, palpate.SolidOptions(fixed=[0, 1, 2]))
 
 
+def with_stone(scene: palpate.Scene) -> palpate.Scene:
+    stone = palpate.RigidBody(
+        [(0, 0, 0)], [0.004], mass=5e-4, inertia=(3e-9, 3e-9, 3e-9), position=(0, 0, 0.2)
+    )
+    corners = [(0.2, 0, 0), (0.3, 0, 0), (0.2, 0.1, 0)]
+    table = palpate.Scenery(palpate.SurfaceMesh(corners, [(0, 1, 2)]), [0])
+    tissues = [palpate.SoftBody(tissue=body.tissue) for body in scene.bodies]
+    return palpate.Scene(bodies=tissues, rigid=[stone], scenery=[table])
+
+
 @pytest.fixture(
     scope="module", params=["mass-spring", "molecular", "shell", "solid", "linear solid"]
 )
@@ -46,6 +56,8 @@ def good(request, tmp_path_factory) -> bytes:
     if request.param == "mass-spring":
         scene.bodies[0].force_error = 1e-3
     scene.bodies[0].may_fold = request.param == "shell"
+    if request.param == "solid":
+        scene = with_stone(scene)
     scenario.write(path, scenario.Scenario(scene=palpate.build_scene(scene), title="Good"))
     return path.read_bytes()
 
@@ -76,7 +88,7 @@ def find_range(path: tuple[str | int, ...]) -> tuple[float, float] | None:
 
 
 def read(data: bytes) -> scenario.Scenario:
-    container = scenario.unpack_container(data, "a.palpate", "palpate", 6)
+    container = scenario.unpack_container(data, "a.palpate", "palpate", 7)
     return scenario.unpack(container, "a.palpate")
 
 
@@ -123,7 +135,7 @@ def test_what_is_no_number_is_refused_wherever_a_number_stands(word, good):
 def test_every_table_of_numbers_is_in_range_or_refused_with_its_name(good):
     manifest = json.loads(hostile_scenarios.entries_of(good)["manifest.json"])
     tables = [name for name, row in manifest["arrays"].items() if row["dtype"] == "<f8"]
-    patterns = {name: name.replace("/bodies/0/", "/bodies/i/") for name in tables}
+    patterns = {name: re.sub(r"/(bodies|rigid|scenery)/0/", r"/\1/i/", name) for name in tables}
     assert set(patterns.values()) <= set(RANGES)
 
     for name in tables:

@@ -143,7 +143,7 @@ def test_a_scene_that_was_read_ticks_with_the_same_bits(scene, tmp_path):
     for name in before.felt.dtype.names:
         assert after.felt[name].tobytes() == before.felt[name].tobytes()
     assert after.hashes.tobytes() == before.hashes.tobytes()
-    assert (found.title, found.task, found.version) == ("Dalak", "Bas ve bırak.", 6)
+    assert (found.title, found.task, found.version) == ("Dalak", "Bas ve bırak.", 7)
     assert json.loads(found.authored) == json.loads(authored)
     assert found.authored_arrays.keys() == ARRAYS.keys()
     assert palpate.replay(found.scene, before).equal

@@ -48,6 +48,12 @@ def published() -> bytes:
     return scenario.pack_container(scenario.pack(made))
 
 
+STONE = palpate.RigidBody(
+    [(0, 0, 0)], [0.004], mass=5e-4, inertia=(3e-9, 3e-9, 3e-9), position=(0.2, 0.0, 0.2)
+)
+TABLE = palpate.SurfaceMesh([(0.2, 0, 0), (0.3, 0, 0), (0.2, 0.1, 0)], [(0, 1, 2)])
+
+
 def published_pair() -> bytes:
     """Of two bodies and two instruments."""
     tissues = [copy.copy(organ_scene(1).bodies[0].tissue) for _ in range(2)]
@@ -59,7 +65,19 @@ def published_pair() -> bytes:
     return scenario.pack_container(scenario.pack(made))
 
 
-@pytest.mark.parametrize("publish", [published, published_pair])
+def published_stone() -> bytes:
+    """Of a body, a stone and a table that the body stops at."""
+    scene = palpate.Scene(
+        bodies=[palpate.SoftBody(tissue=organ_scene(1).bodies[0].tissue)],
+        rigid=[STONE],
+        scenery=[palpate.Scenery(TABLE, [0], friction=0.1)],
+        fluid=palpate.Fluid(1000.0, 1e-3),
+    )
+    made = scenario.Scenario(scene=palpate.build_scene(scene), title="A stone")
+    return scenario.pack_container(scenario.pack(made))
+
+
+@pytest.mark.parametrize("publish", [published, published_pair, published_stone])
 def test_a_published_file_satisfies_its_schema(publish):
     validator("palpate").validate(manifest_of(publish()))
 
@@ -104,7 +122,7 @@ def test_the_schema_has_every_integrator():
 
 PAIR = {"bodies": [0, 0], "thickness": 4e-4, "stiffness": 1e7, "damping": 0.3}
 CHANGES = {
-    "newer version": set_in("version", 7),
+    "newer version": set_in("version", 8),
     "unknown member": set_in("script", "x"),
     "no title": remove("content|title"),
     "text for a number": set_in("content|scene|rate", "fast"),
@@ -119,6 +137,17 @@ CHANGES = {
     "a pair of a body below 0": set_in("content|scene|body_pairs", [PAIR | {"bodies": [0, -1]}]),
     "a pair without a thickness": set_in("content|scene|body_pairs", [PAIR | {"thickness": 0}]),
     "a pair with friction": set_in("content|scene|body_pairs", [PAIR | {"friction": 1}]),
+    "no list of stones": remove("content|scene|rigid"),
+    "a stone without a mass": set_in("content|scene|rigid", [{}]),
+    "scenery that stops a body below 0": set_in(
+        "content|scene|scenery", [{"bodies": [-1], "friction": 0}]
+    ),
+    "scenery with a mass": set_in(
+        "content|scene|scenery", [{"bodies": [], "friction": 0, "mass": 1}]
+    ),
+    "no fluid": remove("content|scene|fluid"),
+    "a fluid lighter than none": set_in("content|scene|fluid|density", -1),
+    "a table of a stone below 0": set_in("arrays|scene/rigid/-1/sphere_radii", {}),
     "too many instruments": set_in("content|scene|instruments", [{}] * 17),
     "an instrument without a tool": remove("content|scene|instruments|0|tool"),
     "a body of version 3": set_in("content|scene|tissue", {}),

@@ -30,12 +30,15 @@ Json = dict[str, Any]
 
 def hash_content(published: scenario.Scenario) -> str:
     """SHA-256 of the assessment without self-play and reviews, and of all tables of the scene
-    and its pairs of bodies."""
+    with its pairs of bodies, rigid bodies and scenery."""
     found = hashlib.sha256(scenario.draw_task(published).sha256.encode())
     packed = scenario.pack(published)
-    pairs, arrays = json.loads(packed.content)["scene"]["body_pairs"], packed.arrays
-    if pairs:  # without any, a hash is what it was before there were some
-        found.update(json.dumps(pairs, sort_keys=True).encode())
+    scene, arrays = json.loads(packed.content)["scene"], packed.arrays
+    if scene["body_pairs"]:  # without any, a hash is what it was before there were some
+        found.update(json.dumps(scene["body_pairs"], sort_keys=True).encode())
+    if scene["rigid"] or scene["scenery"]:  # likewise
+        hard = {name: scene[name] for name in ("rigid", "scenery", "fluid")}
+        found.update(json.dumps(hard, sort_keys=True).encode())
     for name in sorted(arrays):
         if name.startswith("scene/"):
             found.update(name.encode() + b"\n" + np.asarray(arrays[name]).tobytes())

@@ -25,6 +25,13 @@ struct BodySnapshot {
   Safeguard safeguard = Safeguard::none;  ///< of that tick
 };
 
+/// A rigid body as a reader sees it.
+struct RigidSnapshot {
+  Vec3 position = Vec3::Zero();                     ///< [m] of its frame
+  Quaternion orientation = Quaternion::Identity();  ///< unit, of its frame
+};
+static_assert(alignof(RigidSnapshot) == 8);
+
 /// An instrument and its device as a reader sees them.
 struct InstrumentSnapshot {
   HapticSample sample;
@@ -49,6 +56,7 @@ struct Snapshot {
   long tick = 0;
   double time = 0.0;                            ///< [s]
   std::vector<BodySnapshot> bodies;             ///< as Scene::bodies
+  std::vector<RigidSnapshot> rigid;             ///< as Scene::rigid
   std::vector<InstrumentSnapshot> instruments;  ///< as Scene::instruments
   double cost = 0.0;                            ///< [s] of the last tick
   double lateness = 0.0;                        ///< [s] of the last tick

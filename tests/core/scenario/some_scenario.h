@@ -15,6 +15,7 @@
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/tick/tick.h"
+#include "scenes/stones.h"
 #include "scenes/tissues.h"
 
 namespace palpate::testing {
@@ -90,6 +91,34 @@ inline Scene make_touching_scene() {
   lower.may_fold = true;
   scene.gravity = Vec3::Zero();  // under which the lower one sinks out of touch
   scene.body_pairs = {{.first = 1, .second = 0, .stiffness = 2e7, .damping = 0.2}};
+  return build_scene(std::move(scene));
+}
+
+/// The same over a table that the lower one stops at, and beside them a stone in water that sinks
+/// onto it.
+inline Scene make_stone_scene() {
+  constexpr double kTable = -0.0935;  // [m] 3 mm below the lower organ
+  Scene scene = make_touching_scene();
+  scene.gravity = {0.0, 0.0, -1.0};
+  Scenery table;
+  for (const double z : {kTable - 0.01, kTable}) {
+    for (const auto& [x, y] : {std::pair{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}}) {
+      table.mesh.vertices.emplace_back(x, y, z);
+    }
+  }
+  table.mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                          {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  table.bodies = {1};
+  table.friction = 0.2;
+  scene.scenery = {std::move(table)};
+  RigidBody stone = scenes::make_stone(0.011);
+  stone.position = {0.07, 0.01, kTable + 0.006};
+  stone.orientation = Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 3.0).normalized());
+  stone.friction = 0.35;
+  stone.stiffness = 2e7;
+  stone.contact_stiffness = 800.0;
+  scene.rigid = {std::move(stone)};
+  scene.fluid = {.density = 1000.0, .viscosity = 1e-3};
   return build_scene(std::move(scene));
 }
 

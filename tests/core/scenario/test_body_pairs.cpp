@@ -141,7 +141,7 @@ TEST_CASE("a scene that no file can hold is refused before anything is written")
   CHECK(contains(refuse_scene([](Scene& scene) {
                    scene.bodies[0].tissue.elastic.corners = {{0, 1, 2, 3}};
                  }),
-                 "scene.bodies[0].tissue.elastic: got a linear solid in a pair of body_pairs"));
+                 "scene.bodies[0].tissue.elastic: got a linear solid that touches more"));
 }
 
 TEST_CASE("as many pairs as a file may have are written and read") {

@@ -118,12 +118,30 @@ TEST_CASE(
         "none, which came with version 6");
 }
 
+TEST_CASE(
+    "a file of before there were rigid bodies and scenery has none, and is refused with some") {
+  const Container old = scenario::read_container(PALPATE_PUBLISHED "/v6.palpate", "palpate", 6);
+  const Scene scene = scenario::unpack(old, "file").scene;
+  CHECK(scene.rigid.empty());
+  CHECK(scene.scenery.empty());
+  CHECK(scene.fluid.density == 0.0);
+  for (const std::string member : {"rigid", "scenery", "fluid"}) {
+    Container changed = old;
+    const std::string begin = "\"scene\":{";
+    changed.content.replace(changed.content.find(begin), begin.size(),
+                            begin + "\"" + member + "\":[],");
+    CHECK(refusal([&] { scenario::unpack(changed, "file"); }) ==
+          "file: manifest.json: content.scene." + member +
+              ": got one in a file of version 6, expected none, which came with version 7");
+  }
+}
+
 // Run once for every new version, see tests/scenes/published/README.md.
 TEST_CASE("publish the file to keep of the newest version" * doctest::skip()) {
   const std::string version = std::to_string(scenario::newest_version());
   Scenario made = make_scenario();
   made.title = "Kept of version " + version;
-  made.scene = make_touching_scene();
+  made.scene = make_stone_scene();
 
   scenario::write(PALPATE_PUBLISHED "/v" + version + ".palpate", made);
 }

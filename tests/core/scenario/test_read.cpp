@@ -79,7 +79,7 @@ TEST_CASE("every table, every number and the authored document come back") {
   }
   CHECK(found.title == "Böbrek");
   CHECK(found.task == made.task);
-  CHECK(found.version == 6);
+  CHECK(found.version == 7);
   CHECK(found.authored == made.authored);
   CHECK(found.authored_arrays == made.authored_arrays);
   CHECK(found.scene.gravity == made.scene.gravity);

@@ -260,6 +260,154 @@
         <translation>parçalar arasında %1 köşe kaynaştırıldı, en çok %2 mm kayarak</translation>
     </message>
     <message>
+        <source>%1 about one axis</source>
+        <translation>bir eksende %1</translation>
+    </message>
+    <message>
+        <source>%1 centres and %2 radii</source>
+        <translation>%1 merkez ve %2 yarıçap</translation>
+    </message>
+    <message>
+        <source>%1 vertices and %2 triangles with those before</source>
+        <translation>öncekilerle birlikte %1 köşe ve %2 üçgen</translation>
+    </message>
+    <message>
+        <source>%1.mesh: %2</source>
+        <translation>%1.mesh: %2</translation>
+    </message>
+    <message>
+        <source>0 beside rigid bodies: how wrong sleep makes a force is known of balls</source>
+        <translation>rijit cisimlerin yanında 0: uykunun kuvveti ne kadar yanlış yaptığı bilyeler için bilinir</translation>
+    </message>
+    <message>
+        <source>0 for a body that stops at scenery: how wrong sleep makes a force is known of balls</source>
+        <translation>sabit çevrede duran bir cisim için 0: uykunun kuvveti ne kadar yanlış yaptığı bilyeler için bilinir</translation>
+    </message>
+    <message>
+        <source>0 for a scene with rigid bodies: between two exchanges nothing but tissue is felt</source>
+        <translation>rijit cisimleri olan bir sahne için 0: iki alışveriş arasında dokudan başka bir şey hissedilmez</translation>
+    </message>
+    <message>
+        <source>0 for a scene with scenery: between two exchanges nothing but tissue is felt</source>
+        <translation>sabit çevresi olan bir sahne için 0: iki alışveriş arasında dokudan başka bir şey hissedilmez</translation>
+    </message>
+    <message>
+        <source>a closed mesh, which build_scene makes of the spheres where there is none</source>
+        <translation>kapalı bir ağ; olmadığında build_scene onu kürelerden yapar</translation>
+    </message>
+    <message>
+        <source>a closed mesh, whose volume is what the fluid bears</source>
+        <translation>kapalı bir ağ; sıvı onun hacmini taşır</translation>
+    </message>
+    <message>
+        <source>a closed one</source>
+        <translation>kapalı bir ağ</translation>
+    </message>
+    <message>
+        <source>a linear solid that touches more than instruments</source>
+        <translation>aletlerden fazlasına değen bir doğrusal dolu cisim</translation>
+    </message>
+    <message>
+        <source>a list of %1 numbers</source>
+        <translation>%1 sayılık bir liste</translation>
+    </message>
+    <message>
+        <source>a list of at most %1 whole numbers from 0 to %2</source>
+        <translation>0 ile %2 arası en çok %1 tam sayıdan bir liste</translation>
+    </message>
+    <message>
+        <source>a norm of %1</source>
+        <translation>%1 büyüklük</translation>
+    </message>
+    <message>
+        <source>a tissue of another law: a file's linear solids are solved by their response, which neither other bodies nor stones nor scenery can touch</source>
+        <translation>başka yasadan bir doku: bir dosyanın doğrusal dolu cisimleri, başka cisimlerin, taşların ve sabit çevrenin değemeyeceği yanıtlarıyla çözülür</translation>
+    </message>
+    <message>
+        <source>a unit quaternion</source>
+        <translation>birim dördey</translation>
+    </message>
+    <message>
+        <source>a volume of %1 m^3</source>
+        <translation>%1 m³ hacim</translation>
+    </message>
+    <message>
+        <source>an open one</source>
+        <translation>açık bir ağ</translation>
+    </message>
+    <message>
+        <source>as many of both, 1 to %1</source>
+        <translation>ikisinden aynı sayıda, 1 ile %1 arası</translation>
+    </message>
+    <message>
+        <source>at most %1 and %2 of all rigid bodies and scenery</source>
+        <translation>tüm rijit cisimlerle sabit çevrede en çok %1 ve %2</translation>
+    </message>
+    <message>
+        <source>at most %1, the sum about the others</source>
+        <translation>en çok %1, öteki eksenlerdekilerin toplamı</translation>
+    </message>
+    <message>
+        <source>bodies that begin outside of what stops them: move one of them, or hold what is fastened there</source>
+        <translation>kendilerini durduranın dışında başlayan cisimler: birini kaydırın ya da oraya bağlı olanı sabitleyin</translation>
+    </message>
+    <message>
+        <source>body %1 again</source>
+        <translation>yeniden %1 numaralı cisim</translation>
+    </message>
+    <message>
+        <source>each body once</source>
+        <translation>her cisim bir kez</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>sayı olmayan bir değer</translation>
+    </message>
+    <message>
+        <source>none for several spheres in a fluid</source>
+        <translation>bir sıvıdaki birkaç küre için hiç</translation>
+    </message>
+    <message>
+        <source>none, which came with version %1</source>
+        <translation>hiç; %1 numaralı sürümle geldi</translation>
+    </message>
+    <message>
+        <source>one that begins outside: move the body</source>
+        <translation>dışarıda başlayan bir cisim: cismi kaydırın</translation>
+    </message>
+    <message>
+        <source>reference, or a tissue of another law, beside rigid bodies: contacts with them are not solved with a precomputed response</source>
+        <translation>rijit cisimlerin yanında reference ya da başka yasadan bir doku: onlarla temaslar önceden hesaplanmış bir yanıtla çözülmez</translation>
+    </message>
+    <message>
+        <source>reference, or a tissue of another law, for a body that stops at scenery: contacts with it are not solved with a precomputed response</source>
+        <translation>sabit çevrede duran bir cisim için reference ya da başka yasadan bir doku: onunla temaslar önceden hesaplanmış bir yanıtla çözülmez</translation>
+    </message>
+    <message>
+        <source>some of the %1 bodies, counted from 0</source>
+        <translation>0'dan sayılan %1 cisimden bazıları</translation>
+    </message>
+    <message>
+        <source>sphere %1 deep in body %2</source>
+        <translation>%2 numaralı cismin içinde derinde %1 numaralı küre</translation>
+    </message>
+    <message>
+        <source>sphere %1 deep in scenery %2</source>
+        <translation>%2 numaralı sabit çevrenin içinde derinde %1 numaralı küre</translation>
+    </message>
+    <message>
+        <source>triangles that run counter-clockwise seen from outside</source>
+        <translation>dışarıdan bakınca saat yönünün tersine dönen üçgenler</translation>
+    </message>
+    <message>
+        <source>vertex %1 of body %2 %3 mm inside of the scenery</source>
+        <translation>%2 numaralı cismin %1 numaralı köşesi, sabit çevrenin %3 mm içinde</translation>
+    </message>
+    <message>
+        <source>vertex %1 of the scenery %2 mm inside of body %3</source>
+        <translation>sabit çevrenin %1 numaralı köşesi, %3 numaralı cismin %2 mm içinde</translation>
+    </message>
+    <message>
         <source>%1, one more for each body that may fold</source>
         <translation>%1; katlanabilen her cisim için bir fazlası</translation>
     </message>
@@ -292,10 +440,6 @@
         <translation>kendini kesmeyen kapalı bir yüzey: neredeyse değen parçalar bunun yerine kaynaştırılır</translation>
     </message>
     <message>
-        <source>a linear solid in a pair of body_pairs</source>
-        <translation>body_pairs çiftlerinden birinde bir doğrusal dolu cisim</translation>
-    </message>
-    <message>
         <source>a linear solid under its response</source>
         <translation>yanıtıyla çözülen bir doğrusal dolu cisim</translation>
     </message>
@@ -322,10 +466,6 @@
     <message>
         <source>a surface with one side only</source>
         <translation>tek yüzlü bir yüzey</translation>
-    </message>
-    <message>
-        <source>a tissue of another law: a file's linear solids are solved by their response, which other bodies cannot touch</source>
-        <translation>başka yasadan bir doku: bir dosyanın doğrusal dolu cisimleri, başka cisimlerin değemeyeceği yanıtlarıyla çözülür</translation>
     </message>
     <message>
         <source>at least %1 mm between them at rest, half of the thickness: move one of them</source>
@@ -370,10 +510,6 @@
     <message>
         <source>its tetrahedra fill the organ, the smallest angle between faces is %1 degrees</source>
         <translation>organı kendi dörtyüzlüleri doldurur, yüzler arasındaki en küçük açı %1 derecedir</translation>
-    </message>
-    <message>
-        <source>none, which came with version 6</source>
-        <translation>hiç; 6 numaralı sürümle geldi</translation>
     </message>
     <message>
         <source>nothing that is left of the parts</source>
@@ -534,10 +670,6 @@
     <message>
         <source>another for angles of eq10: xpbd and projective_dynamics lower an energy, and these have none</source>
         <translation>eq10 açıları için başka biri: xpbd ve projective_dynamics bir enerjiyi düşürür, bunlarınsa enerjisi yoktur</translation>
-    </message>
-    <message>
-        <source>0, which is what a file holds</source>
-        <translation>0, bir dosyada o kadar bulunur</translation>
     </message>
     <message>
         <source>automatic or reference with the integrator %1: the others step by symplectic_euler</source>
@@ -998,10 +1130,6 @@
     <message>
         <source>a list of 1 to %1 whole numbers</source>
         <translation>1 ile %1 arası tam sayıdan bir liste</translation>
-    </message>
-    <message>
-        <source>a list of 3 numbers</source>
-        <translation>3 sayılık bir liste</translation>
     </message>
     <message>
         <source>a list of at most %1</source>

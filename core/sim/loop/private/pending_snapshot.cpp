@@ -15,6 +15,9 @@ PendingSnapshot::PendingSnapshot(const World& world, const TaskState& task)
     : packed(world.bodies.size()) {
   seen.task = task;
   seen.instruments.resize(world.instruments.size());
+  for (const RigidState& body : world.rigid) {
+    seen.rigid.push_back({body.position, body.orientation});
+  }
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const SoftState& body = world.bodies[b];
     if (const PackedKernel* kernel = find_packed(body)) {
@@ -40,6 +43,9 @@ void note_world(const World& world, std::span<const HapticSample> samples,
     seen.pinch = tool.pinch;
     seen.pad_pressure = tool.pad_pressure;
     seen.carried = tool.carried;
+  }
+  for (std::size_t r = 0; r < world.rigid.size(); ++r) {
+    pending.seen.rigid[r] = {world.rigid[r].position, world.rigid[r].orientation};
   }
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     const SoftState& body = world.bodies[b];

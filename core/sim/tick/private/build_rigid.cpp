@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "palpate/sim/base/private/refuse.h"
@@ -72,27 +73,40 @@ void check_mesh(const Scene& scene, const RigidBody& body, const std::string& wh
   if (!is_closed(body.mesh.triangles)) {
     refuse(where + ".mesh", "an open one", "a closed one");
   }
+  const double volume = compute_rigid_volume(body);
+  if (!(volume > 0.0)) {
+    refuse(where + ".mesh", write_text("a volume of ", volume, " m^3"),
+           "triangles that run counter-clockwise seen from outside");
+  }
+}
+
+/// The first sphere of a body that begins deep in a surface.
+std::optional<std::size_t> find_deep_sphere(const RigidBody& body, const Vec3Array& x,
+                                            const std::vector<Triangle>& triangles) {
+  const AabbTree tree(x, triangles);
+  for (std::size_t s = 0; s < body.sphere_radii.size(); ++s) {
+    const Vec3 centre = body.position + body.orientation * body.sphere_centres[s];
+    if (!has_room(tree, x, centre, body.sphere_radii[s])) return s;
+  }
+  return {};
 }
 
 /// No sphere begins deep in what it touches: it would be shot out.
 void check_place(const Scene& scene, const RigidBody& body, const std::string& where) {
-  const auto check = [&](const Vec3Array& x, const std::vector<Triangle>& triangles,
-                         const std::string& what) {
-    const AabbTree tree(x, triangles);
-    for (std::size_t s = 0; s < body.sphere_radii.size(); ++s) {
-      const Vec3 centre = body.position + body.orientation * body.sphere_centres[s];
-      if (has_room(tree, x, centre, body.sphere_radii[s])) continue;
-      refuse(where, write_text("sphere ", s, " deep in ", what),
-             "one that begins outside: move the body");
-    }
-  };
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const TissueModel& tissue = scene.bodies[b].tissue;
-    check(compute_surface(tissue, tissue.rest_position), tissue.triangles, write_text("body ", b));
+    const auto deep =
+        find_deep_sphere(body, compute_surface(tissue, tissue.rest_position), tissue.triangles);
+    if (deep)
+      refuse(where, write_text("sphere ", *deep, " deep in body ", b),
+             "one that begins outside: move the body");
   }
   for (std::size_t s = 0; s < scene.scenery.size(); ++s) {
     const SurfaceMesh& mesh = scene.scenery[s].mesh;
-    check(mesh.vertices, mesh.triangles, write_text("scenery ", s));
+    const auto deep = find_deep_sphere(body, mesh.vertices, mesh.triangles);
+    if (deep)
+      refuse(where, write_text("sphere ", *deep, " deep in scenery ", s),
+             "one that begins outside: move the body");
   }
 }
 

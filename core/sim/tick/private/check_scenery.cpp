@@ -40,11 +40,12 @@ void check_start(const TissueModel& tissue, const Scenery& scenery, int index,
                  const std::string& where) {
   const Nearest deepest = find_deepest_at_rest(tissue, scenery.mesh);
   if (!(deepest.gap < -kDeepestStart)) return;
-  const std::string whose =
-      deepest.of_first ? write_text(" of body ", index, " ") : write_text(" of the scenery ");
+  const double depth = -1e3 * deepest.gap;
   refuse(where,
-         write_text("vertex ", deepest.vertex, whose, -1e3 * deepest.gap, " mm inside of ",
-                    deepest.of_first ? std::string("it") : write_text("body ", index)),
+         deepest.of_first ? write_text("vertex ", deepest.vertex, " of body ", index, " ", depth,
+                                       " mm inside of the scenery")
+                          : write_text("vertex ", deepest.vertex, " of the scenery ", depth,
+                                       " mm inside of body ", index),
          "bodies that begin outside of what stops them: move one of them, or hold what is "
          "fastened there");
 }
