@@ -203,7 +203,10 @@ def test_an_assessment_says_the_shape_of_its_tools():
         with_assessment(path, wrong, organ)
 
 
-@pytest.mark.parametrize("name", ["two_instruments", "two_organs"])
+@pytest.mark.parametrize(
+    "name",
+    ["two_instruments", "two_organs", pytest.param("stone", marks=pytest.mark.landing)],
+)
 def test_the_example_of_two_holds(name):
     program = MESHES.parent / "tests" / "examples" / name / f"{name}.py"
 

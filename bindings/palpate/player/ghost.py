@@ -119,6 +119,7 @@ class Ghost(QObject):
     def _show(self, frame: Frame) -> None:
         view = self.window.view
         view.move_surface(join_positions(frame.positions))
+        view.move_rigid(frame.rigid)
         view.show_instruments(see_instruments(self.window.scene, frame))
         self.window.play.state = frame.task
         self.over.tell_task()
@@ -135,4 +136,5 @@ class Ghost(QObject):
         view = self.window.view
         view.show_instruments(())
         view.move_surface(join_rest_surfaces(self.window.scene))
+        view.move_rigid(self.window.scene.rigid)
         self._say("")

@@ -33,6 +33,7 @@ class Shot:
     instruments: list[SeenInstrument]
     force: NDArray[np.float64]
     """[N]"""
+    rigid: tuple[palpate.RigidSnapshot, ...] = ()
 
 
 @dataclass
@@ -65,7 +66,7 @@ class Moments:
             return
         surface = np.asarray(join_positions(frame.positions), dtype=np.float32)
         seen = see_instruments(self._scene, frame)
-        shot = Shot(frame.time, surface, frame.tool_position, seen, frame.force)
+        shot = Shot(frame.time, surface, frame.tool_position, seen, frame.force, frame.rigid)
         self._last.append(shot)
         while self._last and frame.time - self._last[0].time > BEFORE:
             self._last.popleft()

@@ -37,6 +37,7 @@ class RunView:
         view, scene, over = self._window.view, self._window.scene, self._over
         self.time = frame.time
         view.move_surface(join_positions(frame.positions))
+        view.move_rigid(frame.rigid)
         view.show_instruments(see_instruments(scene, frame))
         view.force_scale = ARROW * view.scenery.radius / over.force.range
         view.show_force(frame.tool_position, frame.force)

@@ -68,6 +68,7 @@ class TraineeWindow(QWidget):
         self.view = make_view(self)
         self.view.wireframe = False
         self.view.use_appearance(find_appearance(play.scenario))
+        self.view.show_hard_parts(self.scene)
         self._rest = join_rest_surfaces(self.scene)
         self.view.show_surface(self._rest, join_triangles(self.scene))
         self.view.show_colours(find_colours(play.scenario))
@@ -133,6 +134,7 @@ class TraineeWindow(QWidget):
         self.over.reset()
         self._tell_loss()
         self.view.move_surface(self._rest)
+        self.view.move_rigid(self.scene.rigid)
         self.view.show_force(None)
         self.view.show_instruments(())
         self.view.hud.show_rows(())

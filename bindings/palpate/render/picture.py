@@ -18,6 +18,7 @@ import palpate
 from palpate.files.whole_file import write_whole
 from palpate.render.camera import Camera
 from palpate.render.colour_map import build_legend
+from palpate.render.hard_parts import BESIDE, choose_framed
 from palpate.render.instrument import METAL, DrawnPart
 from palpate.render.instrument_shade import InstrumentShade
 from palpate.render.overlay import Overlay
@@ -44,9 +45,6 @@ ARROW_RADIUS = 0.0065
 FORCE_SHOWN = 5e-4
 """[N] The smallest that the label does not call zero."""
 
-BESIDE = 1.5
-"""[-] Of the organ's radius, from its middle: what is farther away is not framed."""
-
 
 @dataclass(frozen=True)
 class Picture:
@@ -70,6 +68,8 @@ class Picture:
     """Centre [m] and radius [m] of the tip."""
     instrument: Sequence[DrawnPart] = ()
     """[m] What is drawn in the place of the tip's ball: an instrument where it is."""
+    beside: Sequence[DrawnPart] = ()
+    """[m] What stands beside the organ: stones, bones, tables."""
     shade: InstrumentShade | None = None
     """Its shadow on the organ and its glow; without one, those of the tip's ball."""
     force: ArrayLike | None = None
@@ -114,7 +114,8 @@ def draw_picture(vertices: ArrayLike, triangles: ArrayLike, **options: Any) -> N
         legend = build_legend(values, picture.value_range, picture.colour_map)
     things = [build_organ(picture, x, faces, values)]
     arrow = find_arrow(picture, x)
-    things += build_tool(picture, arrow)
+    stand = [as_thing(part.shape, part.appearance) for part in picture.beside]
+    things += [*stand, *build_tool(picture, arrow)]
 
     overlay = Overlay(picture.size, theme)
     overlay.add_title(picture.title)
@@ -125,7 +126,7 @@ def draw_picture(vertices: ArrayLike, triangles: ArrayLike, **options: Any) -> N
     camera = picture.camera or place_camera(picture, things, overlay)
     if arrow is not None:
         label_arrow(overlay, camera, arrow, picture.size)
-    floor = float(things[0].points()[:, 2].min())
+    floor = min(float(thing.points()[:, 2].min()) for thing in [things[0], *stand])
     shades = find_shades(picture)
     shot = Shot(camera, picture.size, picture.supersample, theme, legend, floor, shades)
     return overlay.blend(take_picture(things, shot))
@@ -253,9 +254,11 @@ def place_camera(picture: Picture, things: list[Thing], overlay: Overlay) -> Cam
     organ = things[0].points()
     middle = 0.5 * (organ.min(axis=0) + organ.max(axis=0))
     reach = BESIDE * np.linalg.norm(organ - middle, axis=1).max()
-    others = np.concatenate([organ[:0], *(thing.points() for thing in things[1:])])
+    count = 1 + len(picture.beside)
+    others = np.concatenate([organ[:0], *(thing.points() for thing in things[count:])])
     near = others[np.linalg.norm(others - middle, axis=1) <= reach]
-    camera.fit(np.concatenate([organ, near]), picture.size, frame)
+    beside = choose_framed(picture.beside, middle, reach / BESIDE)
+    camera.fit(np.concatenate([organ, near, beside]), picture.size, frame)
     return camera
 
 

@@ -58,6 +58,8 @@ class Frame:
     """What the device said of the hand."""
     task: palpate.TaskState
     """How far the task is; without steps where there is none."""
+    rigid: tuple[palpate.RigidSnapshot, ...] = ()
+    """Where each rigid body is."""
 
 
 def fit_record(options: palpate.LoopOptions, longest: float) -> palpate.LoopOptions:
@@ -168,6 +170,7 @@ class LiveRun:
             now.missed_ticks,
             now.sample,
             now.task,
+            now.rigid,
         )
 
     def report(self) -> palpate.LoopReport:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_tria
 
 if TYPE_CHECKING:
     from palpate.render import DrawnPart
+    from palpate.render.hard_parts import Pose
 
 
 def pose_at(scene: palpate.Scene, record: palpate.Record, tick: int) -> palpate.World:
@@ -36,6 +38,7 @@ def picture_of_rest(
 
     if isinstance(organ, palpate.Scene):
         x, triangles = join_rest_surfaces(organ), join_triangles(organ)
+        options = {"beside": draw_hard_parts(organ, organ.rigid)} | options
     else:
         x, triangles = np.asarray(organ.vertices), np.asarray(organ.triangles)
     save_picture(out, x, triangles, title=title, **options)
@@ -80,11 +83,19 @@ def picture_of_record(
         tool=(np.asarray(state.position), its.radius),
         instrument=place_instruments(scene, world),
         shade=shade,
+        beside=draw_hard_parts(scene, world.rigid),
         force=forces[felt, tick],
         title=title or name_scene(where),
         **options,
     )
     return float(times[tick])
+
+
+def draw_hard_parts(scene: palpate.Scene, poses: Sequence[Pose]) -> list[DrawnPart]:
+    """[m] Scenery, and rigid bodies where they are."""
+    from palpate.render.hard_parts import build_rigid, build_scenery, place_rigid
+
+    return [*build_scenery(scene), *place_rigid(build_rigid(scene), poses)]
 
 
 def place_instruments(scene: palpate.Scene, world: palpate.World) -> list[DrawnPart]:

@@ -60,6 +60,8 @@ class Scenery:
         self._used: NDArray[np.intp] = np.zeros(0, np.intp)
         self.room: Array = np.zeros((0, 3))
         """[m] (n, 3) what is to be in sight beside the surface."""
+        self.reach = 0.0
+        """[m] from the centre, of what is drawn and need not be in sight."""
         self.centre, self.radius = np.zeros(3), 1.0
         """[m] the ball around the surface as it was shown first."""
         self._things: dict[str, Thing] = {}
@@ -300,7 +302,7 @@ class Scenery:
         self._gone.clear()
         renderer.theme = self.theme
         renderer.shadow_softness, renderer.wire_width = shadow_softness, wire_width
-        renderer.use_bounds(self.centre, ROOM * self.radius)
+        renderer.use_bounds(self.centre, max(ROOM * self.radius, self.reach))
         renderer.use_instruments(self.shades)
         if self.legend is not None:
             renderer.use_legend(self.legend)

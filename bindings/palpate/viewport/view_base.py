@@ -13,9 +13,11 @@ from PySide6.QtGui import QImage, QResizeEvent
 
 import palpate
 from palpate.render import Appearance, Camera, Shape, build_legend
+from palpate.render.hard_parts import Pose
 from palpate.viewport import navigation
 from palpate.viewport.canvas import Canvas
 from palpate.viewport.force_arrow import choose_radius, keep_in_sight
+from palpate.viewport.hard_parts import HardParts
 from palpate.viewport.hint_line import HintLine
 from palpate.viewport.hud import Hud
 from palpate.viewport.instruments import Instruments, SeenInstrument
@@ -47,6 +49,7 @@ class ViewBase(ViewEvents):
         """The rest of __init__, after that of the widget."""
         self.scenery = Scenery()
         self.instruments = Instruments(self.scenery)
+        self.hard_parts = HardParts(self.scenery)
         self.camera = Camera()
         self.listen()
         self.force_scale = 0.01
@@ -126,6 +129,17 @@ class ViewBase(ViewEvents):
     def show_instruments(self, seen: Sequence[SeenInstrument]) -> None:
         """The instruments as they are held, with shadow, ring and glow; none takes them away."""
         self.instruments.show(seen)
+        self.update()
+
+    def show_hard_parts(self, scene: palpate.Scene) -> None:
+        """Rigid bodies and scenery of a scene; before its surface, with which they are framed."""
+        self.hard_parts.show(scene)
+        self.update()
+
+    def move_rigid(self, poses: Sequence[Pose]) -> None:
+        """Rigid bodies of the scene shown, where they are now: RigidBody, RigidState or
+        RigidSnapshot."""
+        self.hard_parts.move(poses)
         self.update()
 
     def show_force(self, start: ArrayLike | None, vector: ArrayLike | None = None) -> None:
