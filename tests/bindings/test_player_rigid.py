@@ -28,7 +28,7 @@ def test_the_window_shows_the_table_and_the_stone_where_it_has_fallen(tmp_path, 
     assert np.allclose(drawn(window, "rigid 0").mean(axis=0), START, atol=1e-6)
 
     window.restart()
-    qtbot.waitUntil(lambda: window._time > 0.5, timeout=20_000)
+    qtbot.waitUntil(lambda: window.shown.time > 0.5, timeout=20_000)
 
     stone = drawn(window, "rigid 0")
     assert stone[:, 2].min() == pytest.approx(TABLE, abs=1e-4)

@@ -23,7 +23,7 @@ STONE = Appearance(
     (0.80, 0.66, 0.42), gloss=0.35, roughness=0.55, subsurface=0.1, receives_instruments=True
 )
 BONE = Appearance(
-    (0.85, 0.81, 0.73), gloss=0.25, roughness=0.6, subsurface=0.1, receives_instruments=True
+    (0.77, 0.73, 0.65), gloss=0.25, roughness=0.6, subsurface=0.1, receives_instruments=True
 )
 
 
