@@ -2163,6 +2163,11 @@ class ToolState:
     @carried.setter
     def carried(self, value: ArrayLike) -> None: ...
     @property
+    def felt_before(self) -> NDArray[np.float64]:
+        """[N] What was felt in the tick before, for felt_change. Shape (3,), a view."""
+    @felt_before.setter
+    def felt_before(self, value: ArrayLike) -> None: ...
+    @property
     def anchors(self) -> NDArray[Any]:
         """Where tissue sticks to the jaws, all there is room for: a structured array of shape
         (anchor_capacity,) (triangle, body, jaw, weights, place, pressed, stiffness); a view,
@@ -2177,6 +2182,9 @@ class ToolState:
     @property
     def pinches(self) -> bool:
         """Tissue sticks to both jaws."""
+    @property
+    def felt_change(self) -> float:
+        """[N] by which what is felt may change in this tick, as it lets go; 0: by any."""
     def has_hold(self) -> bool:
         """Something follows the tool: it is fastened, or pinched."""
     def __copy__(self) -> ToolState:
@@ -2186,6 +2194,8 @@ class ToolState:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
+        object,
         object,
         object,
         object,

@@ -84,6 +84,8 @@ void def_jaw_state(py::class_<ToolState>& state) {
                     "[Pa] of that on what is touched of a pad.");
   def_vector(state, "carried", &ToolState::carried,
              "[N] on the tool, of all anchors: what it holds up.");
+  def_vector(state, "felt_before", &ToolState::felt_before,
+             "[N] What was felt in the tick before, for felt_change.");
   def_fixed_rows(
       state, "anchors", &ToolState::anchors,
       "Where tissue sticks to the jaws, all there is room for: a structured array of "
@@ -93,6 +95,8 @@ void def_jaw_state(py::class_<ToolState>& state) {
       .def_readonly("held_load", &ToolState::held_load,
                     "[N] that they carry, each whatever its direction.")
       .def_readonly("pinches", &ToolState::pinches, "Tissue sticks to both jaws.")
+      .def_readonly("felt_change", &ToolState::felt_change,
+                    "[N] by which what is felt may change in this tick, as it lets go; 0: by any.")
       .def("has_hold", &ToolState::has_hold,
            "Something follows the tool: it is fastened, or pinched.");
 }
@@ -196,7 +200,8 @@ void bind_tool(py::module_& m) {
             &ToolState::patch_position, &ToolState::patch_normal, &ToolState::friction,
             &ToolState::jaw_angle, &ToolState::jaw_wanted, &ToolState::grip_limit,
             &ToolState::pinch, &ToolState::pad_pressure, &ToolState::carried, &ToolState::anchors,
-            &ToolState::anchor_count, &ToolState::held_load, &ToolState::pinches);
+            &ToolState::anchor_count, &ToolState::held_load, &ToolState::pinches,
+            &ToolState::felt_change, &ToolState::felt_before);
   def_repr(state, {"position", "placed", "touching", "hold_count", "residual"});
 
   const Coupling spring;

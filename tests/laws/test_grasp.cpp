@@ -134,7 +134,7 @@ void check_release(double coupling) {
   hand.wait(0.1);
   const double step = let_go(hand);
   MESSAGE("K ", coupling, ": ", 100.0 * step, " %");
-  CHECK(step < 0.2);
+  CHECK(step < 0.1);
   CHECK(hand.tool().anchor_count == 0);
   CHECK(hand.tool().pinch == 0.0);
   CHECK_FALSE(hand.world().alarm);
@@ -184,7 +184,7 @@ TEST_CASE("G2: a grasp that is held for a minute keeps its load" * doctest::test
   CHECK(hold.swing < 500.0 * 1e-5);  // K times the most drift; the goal of 1 mN is missed
 }
 
-TEST_CASE("G3: what is let go steps by no more than a fifth of its load") { check_release(500.0); }
+TEST_CASE("G3: what is let go steps by no more than a tenth of its load") { check_release(500.0); }
 
 TEST_CASE("G3: so it does for soft and stiff hands" * doctest::test_suite("landing")) {
   for (const double coupling : {200.0, 1000.0}) check_release(coupling);
@@ -259,7 +259,7 @@ void check_body(const std::string& name, const Scene& scene, double swing, doubl
 // a wall that the pinch has buckled snaps back as the jaws open
 TEST_CASE("a wall of prisms is held, and let go") {
   check_body("prisms", scenes::make_grasped_wall(scenes::make_grasper(kFriction, 1.0), 500.0), 1e-4,
-             0.35);
+             0.1);
 }
 
 TEST_CASE("solids are held by their near field, and let go" * doctest::test_suite("landing")) {

@@ -19,8 +19,8 @@ PRESS = PressScript(depth=3e-3, speed=0.03, hold=0.2)
 """A press as a hand makes it: in the air, in contact and away again."""
 BESIDE = np.array([0.015, 0.0, 0.0])
 """[m] Where an instrument presses, seen from where the one before it does."""
-GRASP = PressScript(depth=6e-3, pull=3e-3, speed=0.03, hold=0.2)
-"""The same with jaws, which close at the depth and pull."""
+GRASP = PressScript(depth=6e-3, pull=3e-3, speed=0.03, hold=0.2, clearance=0.02)
+"""The same with jaws, which close at the depth and pull; open they reach 11 mm to either side."""
 
 
 def press_costs(

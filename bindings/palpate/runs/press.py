@@ -11,7 +11,7 @@ import palpate
 from palpate.runs.felt import read_column, read_force
 
 CLEARANCE = 4e-3
-"""[m] between tip and tissue where a script begins and ends."""
+"""[m] between tip and tissue where a script usually begins and ends."""
 REST = 0.1
 """[s] at the end of the hold, in which tissue at rest gives the same force."""
 UNREST = 0.1
@@ -44,6 +44,8 @@ class PressScript:
     """[m/s] mean, of the press and the pull."""
     hold: float = 0.3
     """[s] at the deepest and at the highest point."""
+    clearance: float = CLEARANCE
+    """[m] between tip and tissue where it begins and ends."""
 
 
 @dataclass(frozen=True)
@@ -127,9 +129,9 @@ def write_script(
         frames.append(frame)
         return now
 
-    go(CLEARANCE, 0.0)
-    go(CLEARANCE, 0.05)
-    pressed = go(-script.depth, (CLEARANCE + script.depth) / script.speed)
+    go(script.clearance, 0.0)
+    go(script.clearance, 0.05)
+    pressed = go(-script.depth, (script.clearance + script.depth) / script.speed)
     held = go(-script.depth, script.hold)
     pulled = None
     if script.pull > 0.0:
@@ -139,8 +141,8 @@ def write_script(
         pulled = go(script.pull, (script.depth + script.pull) / script.speed, attached=True)
         go(script.pull, script.hold, attached=True)
         go(script.pull, RAMP)
-    go(max(CLEARANCE, 2 * script.pull), 0.2)
-    go(max(CLEARANCE, 2 * script.pull), 0.1)
+    go(max(script.clearance, 2 * script.pull), 0.2)
+    go(max(script.clearance, 2 * script.pull), 0.1)
     return frames, PressTimes(pressed, held, pulled, now)
 
 

@@ -133,6 +133,8 @@ struct ToolState {
   int anchor_count = 0;         ///< 0 where nothing sticks
   double held_load = 0.0;       ///< [N] that they carry, each whatever its direction
   bool pinches = false;         ///< tissue sticks to both jaws
+  double felt_change = 0.0;     ///< [N] no more does what is felt change in this tick; 0: any
+  Vec3 felt_before = Vec3::Zero();  ///< [N] what was felt in the tick before, for that
 
   /// Something follows the tool: it is fastened, or pinched.
   bool has_hold() const noexcept { return hold_count > 0 || pinches; }

@@ -74,7 +74,7 @@ Step shorten(const JawSurroundings& around, const JawPlace& place, const JawTouc
 /// One Newton step of
 ///
 ///     K (h - p) + sum f_t n_t + anchors(p, a) = 0
-///     drive(a) + sum f_t n_t.v_t + layer(a) + anchors(p, a) = 0
+///     drive(a) + sum f_t n_t.v_t + layer(a) + anchors(p, a) = drag max(0, a - a_start)
 ///
 /// with v = dy/da of a jaw's point, in place and angle together.
 Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, const JawPlace& start,
@@ -90,6 +90,9 @@ Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, cons
                        anchors.mixed * turned;
   residual[3] = drive.torque + touch.torque + layer.torque + anchors.torque -
                 anchors.mixed.dot(moved) - anchors.angular * turned;
+  const bool opens = turned > 0.0 || (turned == 0.0 && residual[3] > 0.0);
+  const double drag = opens ? around.drag : 0.0;
+  residual[3] -= drag * turned;
   Eigen::Matrix4d jacobian;
   jacobian.topLeftCorner<3, 3>() =
       around.coupling.stiffness * Mat3::Identity() + touch.stiffness + anchors.stiffness;
@@ -97,8 +100,8 @@ Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, cons
   jacobian.bottomLeftCorner<1, 3>() = (touch.mixed + anchors.mixed).transpose();
   // jaws that nothing resists turn as far as they may
   const double least = 1e-3 * around.grip * around.arm / kGripRise;
-  jacobian(3, 3) =
-      std::max(drive.slope + touch.angular + layer.slope + anchors.angular, std::max(least, 1e-12));
+  jacobian(3, 3) = std::max(drive.slope + touch.angular + layer.slope + anchors.angular + drag,
+                            std::max(least, 1e-12));
   const Eigen::Vector4d step = jacobian.ldlt().solve(residual);
   const double angle = place.jaws.angle();
   return {step.head<3>(), std::clamp(angle + step[3], place.least, place.most) - angle};
@@ -138,6 +141,22 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
     place.position = arrives ? around.hand : Vec3(place.position + step.move);
     turn_to(around, place.jaws.angle() + step.turn, place);
   }
+}
+
+/// While jaws let go what is felt changes by no more than it may: the tool goes that part of its
+/// way, and what this leaves unbalanced is lost as of any step that is cut short
+/// (balance_tool.cpp). Of |F_0 + s dF| <= c the largest s, with F_0 what is felt at the start less
+/// what was felt before; where there is none, the s that comes nearest.
+void hold_back(const JawSurroundings& around, const ToolState& state, const Vec3& start,
+               JawPlace& place) noexcept {
+  const double stiffness = around.coupling.stiffness, most = state.felt_change;
+  const Vec3 from = stiffness * (start - around.hand) - state.felt_before;
+  const Vec3 change = stiffness * (place.position - start);
+  if (!((from + change).squaredNorm() > most * most)) return;
+  const double a = change.squaredNorm(), b = from.dot(change);
+  const double root = b * b - a * (from.squaredNorm() - most * most);
+  const double part = (std::sqrt(std::max(0.0, root)) - b) / a;
+  place.position = start + std::clamp(part, 0.0, 1.0) * (place.position - start);
 }
 
 /// Writes what the jaws do to the surfaces; returns the sum of forces on the tool [N].
@@ -213,15 +232,20 @@ bool begin(const JawSurroundings& around, ToolState& state) noexcept {
 }  // namespace
 
 Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                  const JawSurfaces& surfaces, ToolState& state) noexcept {
-  const JawSurroundings around{tool,
-                               coupling,
-                               hand_position,
-                               surfaces,
-                               state.jaw_wanted,
-                               state.grip_limit,
-                               measure_arm(tool),
-                               find_reach(tool)};
+                  const JawSurfaces& surfaces, double dt, ToolState& state) noexcept {
+  const double arm = measure_arm(tool);
+  const bool closes = state.jaw_wanted < state.jaw_angle;
+  const JawSurroundings around{
+      .tool = tool,
+      .coupling = coupling,
+      .hand = hand_position,
+      .surfaces = surfaces,
+      .wanted = state.jaw_wanted,
+      .grip = state.grip_limit,
+      .arm = arm,
+      .reach = find_reach(tool),
+      .drag = closes ? 2.0 * state.grip_limit * arm / (kHingeRate * dt) : 0.0};
+  const Vec3 before = state.position;
   if (!begin(around, state)) {
     state.position = hand_position;
     state.jaw_angle = state.jaw_wanted;
@@ -233,6 +257,7 @@ Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   bool soft = false;
   for (const TouchedSurface& surface : surfaces[0]) soft = soft || surface.near;
   settle(around, anchors, soft, place);
+  if (state.felt_change > 0.0) hold_back(around, state, before, place);
   state.position = place.position;
   state.jaw_angle = place.jaws.angle();
   const Vec3 sum = write_pushes(around, place, state);

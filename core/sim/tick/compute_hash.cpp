@@ -97,6 +97,9 @@ void add_jaws(const ToolState& tool, Hash& hash) noexcept {
     hash.add(anchor.weights);
     hash.add(anchor.place);
   }
+  if (tool.felt_change == 0.0) return;
+  hash.add(tool.felt_change);
+  hash.add(tool.felt_before);
 }
 
 /// Only where a device bounds it.

@@ -140,8 +140,9 @@ void note_balance(double seconds, std::size_t instrument, World& world) noexcept
   }
 }
 
-/// Every tool moves to where its hand and the tissues as they stand balance.
-void balance_instruments(const Scene& scene, World& world) noexcept {
+/// Every tool moves to where its hand and the tissues as they stand balance, in a substep of dt
+/// [s].
+void balance_instruments(const Scene& scene, double dt, World& world) noexcept {
   Stopwatch watch(world.measures_costs);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     ToolState& tool = world.instruments[i].tool;
@@ -150,7 +151,7 @@ void balance_instruments(const Scene& scene, World& world) noexcept {
     const Instrument& its = scene.instruments[i];
     const Coupling coupling = find_coupling(its, world.instruments[i]);
     motion.felt += its.tool.jaws ? balance_jaws(its.tool, coupling, motion.hand,
-                                                list_jaw_surfaces(scene, i, world), tool)
+                                                list_jaw_surfaces(scene, i, world), dt, tool)
                                  : balance_tool(its.tool, coupling, motion.hand,
                                                 list_surfaces(scene, i, world), tool);
     if (watch.on()) note_balance(watch.lap(), i, world);
@@ -203,7 +204,7 @@ void run_substeps(const Scene& scene, double dt, int finest, World& world) noexc
   begin_stopping(world);
   begin_rigid(scene, dt / finest, world);
   for (int s = 0; s < finest; ++s) {
-    balance_instruments(scene, world);
+    balance_instruments(scene, dt / finest, world);
     touch_bodies(scene, s, finest, dt / finest, world);
     touch_rigid(scene, dt / finest, world);
     move_bodies(scene, dt, s, finest, world);

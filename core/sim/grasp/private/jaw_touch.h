@@ -18,6 +18,7 @@ struct JawSurroundings {
   double grip = 0.0;    ///< [N] that they close with at most
   double arm = 0.0;     ///< [m]
   double reach = 0.0;   ///< [m] no point of a jaw goes farther as it turns by 1 rad
+  double drag = 0.0;    ///< [N m/rad] by which hinges resist in this substep, over the turn in it
 };
 
 /// Where tool and jaws are, and how far these may be turned in this substep.

@@ -21,6 +21,10 @@ inline constexpr double kMostTurn = 2.5e-3, kMostTurnInTick = 0.03;
 /// [rad] Over which the closing force rises to its limit.
 inline constexpr double kGripRise = 0.02;
 
+/// [rad/s] At which a hinge resists as much as its jaws close with at most. Without mass and
+/// resistance tissue throws them about, and is thrown about by them [contact: jaws].
+inline constexpr double kHingeRate = 20.0;
+
 /// Tissue between two jaws, as far as the mesh does not resist: a layer of that thickness [m] at
 /// rest, and the pressure [Pa] by which it resists being pressed to half of it.
 inline constexpr double kLayer = 2e-3, kLayerPressure = 2e4;
@@ -118,9 +122,10 @@ void press_anchor(const Tool& tool, const OpenJaws& jaws, std::span<const Touche
 Vec3 pull_anchors(const Tool& tool, const OpenJaws& jaws, std::span<const TouchedSurface> surfaces,
                   int sorted, ToolState& state) noexcept;
 
-/// Moves a massless tool with jaws to where hand, jaws and tissue balance; as balance_tool().
+/// Moves a massless tool with jaws to where hand, jaws and tissue balance in a substep of dt [s];
+/// as balance_tool().
 Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                  const JawSurfaces& surfaces, ToolState& state) noexcept;
+                  const JawSurfaces& surfaces, double dt, ToolState& state) noexcept;
 
 /// bound_contact_stiffness() of one jaw of an instrument; the anchors of both count with the first.
 double bound_jaw_stiffness(const Tool& tool, int jaw, const Candidates& candidates,

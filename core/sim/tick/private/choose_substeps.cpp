@@ -27,6 +27,10 @@ constexpr double kFewestInContact = 3.0;
 /// How far a particle may go in one substep, in shortest links; the guard's own [motion: alarm].
 constexpr double kLongestMove = 0.3;
 
+/// [s] What jaws hold stays near for minutes: of substeps that are no longer asked for one is taken
+/// back each time, so slowly that no contact is pumped up.
+constexpr double kEased = 0.02;
+
 /// A tissue that is this much stiffer gets other substeps: 0.9² of stable_step() has room for it.
 constexpr double kStiffening = 1.2;
 
@@ -164,6 +168,12 @@ bool is_near(World& world, std::size_t instrument, std::size_t body) noexcept {
   return false;
 }
 
+/// The substeps of the tick before; near jaws alone one less every 20 ms.
+double keep_substeps(bool near_jaws, double dt, long tick, const BodyInternals& work) noexcept {
+  const long ticks = std::max(1L, std::lround(kEased / dt));
+  return work.wanted_substeps - (near_jaws && tick % ticks == 0 ? 1.0 : 0.0);
+}
+
 /// Near the tissue substeps only rise: a step that is long while a contact closes and short while
 /// it opens, or the other way round, is no longer symplectic and pumps a bouncing contact up. They
 /// are taken back one by one once the tool is away, while the tissue calms.
@@ -176,19 +186,20 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
   }
   follow_stretch(state.stretch, work);
   work.contact_stiffness = 0.0;
-  bool near = false;
+  bool near = false, near_jaws = true;
   double travel = 0.0;
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     if (!is_near(world, i, body)) continue;
     near = true;
+    near_jaws = near_jaws && scene.instruments[i].tool.jaws;
     travel = std::max(travel, workspace(world).hands[i].travel);
   }
   const double fewest = count_free_substeps(soft, dt, work);
   double wanted = std::max(fewest, double(work.wanted_substeps - 1));
   if (near) {
-    wanted = std::max({kFewestInContact, fewest, static_cast<double>(work.wanted_substeps),
-                       count_stable_substeps(scene, body, dt, world),
-                       count_impact_substeps(travel, state)});
+    wanted = std::max(
+        {kFewestInContact, fewest, keep_substeps(near_jaws, dt, world.tick_count, work),
+         count_stable_substeps(scene, body, dt, world), count_impact_substeps(travel, state)});
   }
   if (is_rigid_near(body, world)) {
     wanted = std::max({wanted, kFewestInContact, fewest, static_cast<double>(work.wanted_substeps),

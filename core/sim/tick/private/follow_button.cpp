@@ -132,12 +132,20 @@ constexpr double kEaseTime = 0.02;
 /// [N] Jaws that carry no more let go at once: no hand feels it.
 constexpr double kNoLoad = 1e-3;
 
+/// [-] Of what is felt when jaws begin to let go: what it may change by from tick to tick until
+/// that has settled, whatever the tissue does that slips and springs out of them.
+constexpr double kMostChange = 1.0 / 15.0;
+
 /// Of the closing force: what is left of it after a tick in which the tissue could bear no more,
 /// and at which jaws open instead.
 constexpr double kYield = 0.9, kLeastGrip = 0.02;
 
 /// Of the way that jaws open: a hand that is so wide has opened.
 constexpr double kOpen = 0.9;
+
+/// Of the closing force: that with which jaws that were closed open in tissue. With all of it they
+/// would wedge themselves in the dent that they have pressed, and friction would hold them there.
+constexpr double kOpening = 0.05;
 
 /// [rad] How far the hand would have each jaw open.
 double find_goal(const Jaws& jaws, const HapticSample& sample) noexcept {
@@ -173,6 +181,8 @@ void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
     const double part = std::min(1.0, least / std::max(held.pinch, kNoLoad));
     state.release_ticks = slips + static_cast<int>(std::round((1.0 - part) * kEaseTime / dt));
     state.release_load = held.grip_limit * part;
+    held.felt_before = state.last_force;
+    held.felt_change = kMostChange * std::max(state.last_force.norm(), kNoLoad);
   }
   const int eases = state.release_ticks - slips;
   --state.release_ticks;
@@ -182,7 +192,14 @@ void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
   release_tool(held);
   state.attach_pressed = false;
   held.jaw_wanted = std::max(held.jaw_wanted, held.jaw_angle);
-  held.grip_limit = tool.jaws->grip;
+  held.grip_limit = kOpening * tool.jaws->grip;
+}
+
+void follow_change(InstrumentState& state) noexcept {
+  ToolState& tool = state.tool;
+  const bool is_free = state.release_ticks == 0 && tool.residual.norm() < kNoLoad;
+  if (is_free) tool.felt_change = 0.0;
+  tool.felt_before = state.last_force;
 }
 
 /// Tissue that could not bear more makes the jaws yield, for good until the hand opens; where even
@@ -202,13 +219,14 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
   InstrumentState& state = world.instruments[instrument];
   ToolState& jaws = state.tool;
   double goal = find_goal(*tool.jaws, sample);
+  if (jaws.felt_change > 0.0) follow_change(state);
   if (!jaws.placed) {
     jaws.jaw_angle = jaws.jaw_wanted = goal;
     return;
   }
   if (goal > kOpen * tool.jaws->open) {
     state.opens = false;
-    if (state.release_ticks == 0) jaws.grip_limit = tool.jaws->grip;
+    if (state.release_ticks == 0 && !jaws.touching) jaws.grip_limit = tool.jaws->grip;
   }
   if (strains(scene, world, jaws)) yield(tool, state);
   if (state.opens) goal = tool.jaws->open;
@@ -216,11 +234,15 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
   if (goal > closed) {
     // jaws that have let go open with the tissue that pushes them
     if (state.attach_pressed && jaws.held_load > kNoLoad) return let_go(tool, dt, state);
+    if (state.attach_pressed) jaws.grip_limit = kOpening * tool.jaws->grip;
     state.attach_pressed = false;
     jaws.jaw_wanted = std::max(jaws.jaw_wanted, std::min(goal, jaws.jaw_angle));
   } else {
+    const bool closes_again =
+        goal < jaws.jaw_wanted && jaws.grip_limit == kOpening * tool.jaws->grip;
+    if (state.release_ticks > 0 || closes_again) jaws.grip_limit = tool.jaws->grip;
     state.attach_pressed = true;
-    if (state.release_ticks > 0) jaws.grip_limit = tool.jaws->grip;
+    jaws.felt_change = 0.0;
     state.release_ticks = 0;
   }
   turn_toward(goal, dt, jaws);
