@@ -21,10 +21,9 @@ from palpate.layout.document import (
     LayoutError,
     PlacedBody,
     TouchingPair,
-    read_layout,
-    write_layout,
 )
 from palpate.layout.gaps import Surface, find_least
+from palpate.layout.layout_file import read_layout, write_layout
 from palpate.layout.placed import turn_tensors
 from palpate.layout.separate import MOST_SHIFT, Neighbour, find_least_step, separate
 from palpate.layout.snap import measure_patch, snap
@@ -122,7 +121,7 @@ def test_no_more_steps_are_kept_than_there_is_room_for():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (lambda made: made | {"version": 2}, "version: got 2"),
+        (lambda made: made | {"version": 3}, "version: got 3"),
         (lambda made: made | {"gravity": 1}, "unknown field"),
         (lambda made: made | {"now": 7}, "got 7, expected an object"),
         (lambda made: made["now"]["bodies"][0].pop("sha256") and made, "no sha256"),
@@ -130,6 +129,8 @@ def test_no_more_steps_are_kept_than_there_is_room_for():
         (lambda made: made["now"]["bodies"][1].update(name="low") or made, "a name of its own"),
         (lambda made: made["now"]["pairs"][0].update(first="high") or made, "two of the bodies"),
         (lambda made: made["now"]["pairs"][0].update(thickness="a") or made, "a finite number"),
+        (lambda made: made | {"version": 1}, "stones: got some in a layout of version 1"),
+        (lambda made: made["now"].pop("stones") and made or made, "no stones"),
     ],
 )
 def test_a_damaged_layout_is_refused_and_stays_as_it_is(change, said, two):
@@ -148,13 +149,13 @@ def test_a_damaged_layout_is_refused_and_stays_as_it_is(change, said, two):
 
 def test_a_body_that_is_removed_takes_its_pairs_with_it(two):
     _, layout = two
-    assert document.remove_body(layout, "high").pairs == ()
+    assert document.remove_part(layout, "high").pairs == ()
     assert document.remove_pair(layout, "high", "low").pairs == ()
     for wrong, said in (
-        (lambda: document.remove_body(layout, "none"), "expected one of low, high"),
-        (lambda: document.add_body(layout, layout.bodies[0]), "that another body has"),
+        (lambda: document.remove_part(layout, "none"), "expected one of low, high"),
+        (lambda: document.add_part(layout, layout.bodies[0]), "a name that is taken"),
         (lambda: document.set_pair(layout, TouchingPair("low", "low")), "--fold"),
-        (lambda: document.remove_pair(layout, "low", "other"), "no pair of these"),
+        (lambda: document.remove_pair(layout, "low", "other"), "nothing of this name"),
     ):
         with pytest.raises(LayoutError, match=said):
             wrong()

@@ -115,7 +115,7 @@ def test_a_check_that_pressed_nothing_says_so(layout, capsys):
         (["place", "high", "--snap", "foot", "--onto", "high/top"], 2, "BODY/REGION of another"),
         (["place", "high", "--snap", "nose", "--onto", "low/top"], 1, "expected one of top, foot"),
         (["pair", "low", "low"], 2, "--fold"),
-        (["pair", "high", "other", "--remove"], 2, "no pair of these"),
+        (["pair", "high", "other", "--remove"], 2, "nothing of this name"),
         (["add", "nowhere.palpate"], 1, "No such file"),
         (["add", "two.layout.json"], 1, "expected a published organ"),
         (["redo"], 2, "nothing that was undone"),

@@ -14,8 +14,8 @@ from palpate import scenario
 from palpate.cli.main import main
 from palpate.layout.assemble import build, read_assembly, separate_bodies
 from palpate.layout.costs import find_far_side, press_pair, write_press
-from palpate.layout.document import read_layout
 from palpate.layout.gaps import find_least
+from palpate.layout.layout_file import read_layout
 from palpate.layout.publish import make_scenario
 
 SCENES = Path(palpate_meshes.__file__).parent / "scenes"

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-ERROR, WARNING = "error", "warning"
+ERROR, WARNING, NOTE = "error", "warning", "note"
+"""A note is what was done, or is good to know."""
 
 
 @dataclass(frozen=True)
@@ -13,6 +14,6 @@ class Problem:
     """Where it is, and what, in a sentence."""
 
     severity: str
-    """ERROR or WARNING, or another that its checker says."""
+    """ERROR, WARNING or NOTE."""
     where: str
     message: str

@@ -13,7 +13,13 @@ from palpate.files.refusal import Refusal
 
 
 def read_document(
-    path: Path, *, format: str, version: int, what: str, most_bytes: int
+    path: Path,
+    *,
+    format: str,
+    version: int,
+    what: str,
+    most_bytes: int,
+    older: tuple[int, ...] = (),
 ) -> dict[str, Any]:
     """The whole object, its format and version checked. Raises Refusal or OSError.
 
@@ -23,6 +29,7 @@ def read_document(
         version: ... and of its field `version`, the one that is known here.
         what: Is expected, in words: `a script`.
         most_bytes: A longer file is refused.
+        older: Versions before that one that are read too; the caller asks which it is.
     """
     try:
         data = json.loads(read_file(path, most_bytes))
@@ -32,6 +39,6 @@ def read_document(
         found = json_kind(data.get("format")) if isinstance(data, dict) else "no object"
         raise Refusal(path, "format", found, f'"{format}"')
     told = data.get("version")
-    if told != version or isinstance(told, bool):
+    if told not in (version, *older) or isinstance(told, bool):
         raise Refusal(path, "version", json_kind(told), f"{version}, the one known here")
     return data

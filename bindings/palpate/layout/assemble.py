@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 
 import palpate
-from palpate.layout.document import Layout
+from palpate.layout.document import Layout, PlacedStone
 from palpate.layout.gaps import Surface
+from palpate.layout.hard_parts import Stone, build_scenery, build_stone, read_part_mesh
 from palpate.layout.placed import Organ, build_body, build_instruments, find_surface, read_organs
 from palpate.layout.separate import Neighbour, Separation, separate
 
@@ -32,6 +33,8 @@ class Assembly:
     """Where they stand; moved apart by separate_bodies()."""
     surfaces: list[Surface]
     """Of the bodies where the layout has them."""
+    stones: list[Stone]
+    scenery: list[palpate.Scenery]
 
 
 def read_assembly(path: Path, layout: Layout) -> Assembly:
@@ -43,12 +46,30 @@ def read_assembly(path: Path, layout: Layout) -> Assembly:
         for organ, placed in zip(organs, layout.bodies, strict=True)
     ]
     surfaces = [Surface(*find_surface(body)) for body in bodies]
-    return Assembly(layout, organs, choose_barriers(layout, bodies), bodies, surfaces)
+    return Assembly(
+        layout,
+        organs,
+        choose_barriers(layout, bodies),
+        bodies,
+        surfaces,
+        [read_stone(path, placed) for placed in layout.stones],
+        [build_scenery(layout, read_part_mesh(path, placed), placed) for placed in layout.scenery],
+    )
+
+
+def read_stone(path: Path, placed: PlacedStone) -> Stone:
+    """Raises Refusal, and ValueError for a mesh that cannot be one."""
+    mesh = read_part_mesh(path, placed)
+    try:
+        return build_stone(mesh, placed)
+    except ValueError as problem:
+        raise ValueError(f"{placed.name}: {problem}") from None
 
 
 def list_touching(layout: Layout) -> set[str]:
-    """The bodies that may touch others, or themselves."""
-    names = {body.name for body in layout.bodies if body.may_fold}
+    """The bodies that may touch others, or themselves, or what is hard."""
+    names = {body.name for body in layout.bodies if body.may_fold or layout.stones}
+    names |= {name for scenery in layout.scenery for name in scenery.stops}
     for pair in layout.pairs:
         names |= {pair.first, pair.second}
     return names
@@ -105,14 +126,17 @@ def separate_bodies(assembly: Assembly) -> list[Separation]:
 
 
 def build(assembly: Assembly) -> palpate.Scene:
-    """A scene with the instruments and the gravity of the first body's organ. Raises ValueError."""
+    """A scene with the instruments of the first body's organ, and its gravity where the layout has
+    none. Raises ValueError."""
     first = assembly.organs[0].published.scene
     return palpate.build_scene(
         palpate.Scene(
             bodies=assembly.bodies,
             instruments=build_instruments(assembly.organs[0], assembly.layout.bodies[0]),
             body_pairs=assembly.pairs,
-            gravity=first.gravity,
+            rigid=[stone.body for stone in assembly.stones],
+            scenery=assembly.scenery,
+            gravity=assembly.layout.gravity or first.gravity,
             rate=first.rate,
             exchange_rate=first.exchange_rate,
         )

@@ -11,18 +11,17 @@ import numpy as np
 
 import palpate
 from palpate import FileError
-from palpate.assessment.check_problem import ERROR, WARNING, Problem
+from palpate.assessment.check_problem import ERROR, NOTE, WARNING, Problem
 from palpate.files.refusal import Refusal
 from palpate.layout.assemble import Assembly, build, read_assembly, separate_bodies
 from palpate.layout.costs import PairCosts, press_pair
-from palpate.layout.document import Layout
+from palpate.layout.document import Layout, PlacedBody
 from palpate.layout.gaps import find_least
+from palpate.layout.hard_checks import find_unsettled, name_numbers, note_hard_parts
+from palpate.layout.hard_parts import read_part_mesh
 from palpate.layout.placed import read_placed
 from palpate.layout.separate import MOST_SHIFT, Separation
 from palpate.scene.tick_cost import TICK_SHARE
-
-NOTE = "note"
-"""The severity of what was done to the layout, or is good to know of it."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +56,7 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
     except ValueError as problem:
         return Checked([Problem(ERROR, "pairs", str(problem))], None, None, {})
     problems = [*find_disagreements(assembly), *find_unpaired(assembly), *note_sleep(assembly)]
+    problems += note_hard_parts(layout, assembly)
     for separation in separate_bodies(assembly):
         problems.append(describe_separation(layout, separation))
     checked = Checked(problems, None, assembly, {})
@@ -65,25 +65,31 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
     try:
         scene = build(assembly)
     except ValueError as problem:
-        return Checked([*problems, Problem(ERROR, "scene", str(problem))], None, assembly, {})
+        said = name_numbers(layout, str(problem).removeprefix("scene: "))
+        return Checked([*problems, Problem(ERROR, "scene", said)], None, assembly, {})
+    if measures and (scene.rigid or layout.gravity):
+        problems += find_unsettled(layout, scene)
     costs = measure_pairs(scene, assembly) if measures else {}
     problems += find_cost_problems(layout, scene, costs)
     return Checked(problems, scene, assembly, costs)
 
 
 def find_file_problems(path: Path, layout: Layout) -> list[Problem]:
-    """Of every body whose organ cannot be had."""
+    """Of everything whose file cannot be had."""
     if not layout.bodies:
         return [Problem(ERROR, "bodies", "got none, expected one or more: add an organ")]
     problems = []
-    for body in layout.bodies:
+    for part in layout.parts:
         try:
-            read_placed(path, body)
+            if isinstance(part, PlacedBody):
+                read_placed(path, part)
+            else:
+                read_part_mesh(path, part)
         except (Refusal, FileError) as problem:
-            problems.append(Problem(ERROR, body.name, str(problem)))
+            problems.append(Problem(ERROR, part.name, str(problem)))
         except OSError as problem:
             said = f"{problem.filename}: {problem.strerror}"
-            problems.append(Problem(ERROR, body.name, said))
+            problems.append(Problem(ERROR, part.name, said))
     return problems
 
 
@@ -93,6 +99,8 @@ def find_disagreements(assembly: Assembly) -> list[Problem]:
     problems = []
     for organ, placed in zip(others, assembly.layout.bodies[1:], strict=True):
         for name, unit in (("rate", "Hz"), ("gravity", "m/s²")):
+            if name == "gravity" and assembly.layout.gravity:
+                continue
             usual = np.asarray(getattr(first.published.scene, name))
             found = np.asarray(getattr(organ.published.scene, name))
             if not np.array_equal(usual, found):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which organs stand where in a scene, and which may touch: a JSON file that remembers its past.
+"""Which organs, stones and scenery stand where in a scene, and which may touch: a JSON file that
+remembers its past.
 
 A layout is a value. Every change makes another one, and the file keeps those before it, so that a
 change can be undone after the program that made it has ended.
@@ -7,18 +8,11 @@ change can be undone after the program that made it has ended.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, fields, replace
-from pathlib import Path
+from dataclasses import dataclass, replace
+from typing import Any
 
-from palpate.files.json_document import read_document
-from palpate.files.json_part import read_part
-from palpate.files.refusal import Refusal
-from palpate.files.whole_file import write_whole
-
-FORMAT, VERSION = "palpate layout", 1
-MOST_BYTES = 16 * 2**20
+FORMAT, VERSION = "palpate layout", 2
 MOST_STEPS = 100
 """Changes that can be undone; older ones are forgotten."""
 
@@ -39,6 +33,53 @@ class PlacedBody:
     """[rad] rotation vector about that origin."""
     may_fold: bool = False
     """Whether parts of its surface may touch others of it."""
+
+
+@dataclass(frozen=True)
+class PlacedStone:
+    """A closed mesh that moves and keeps its shape, and where it is at the start."""
+
+    name: str
+    """In this layout, among bodies and scenery too."""
+    file: str
+    """Path of the mesh, relative to the layout."""
+    sha256: str
+    """Of that file, when it was added."""
+    scale: float = 1.0
+    """[m] of a unit of the mesh."""
+    position: tuple[float, ...] = (0.0, 0.0, 0.0)
+    """[m] of the mesh's own origin."""
+    rotation: tuple[float, ...] = (0.0, 0.0, 0.0)
+    """[rad] rotation vector about that origin."""
+    density: float = 2000.0
+    """[kg/m³] of all of it: its mass and inertia follow."""
+    friction: float = 0.3
+    """[-] on tissue, scenery and other stones."""
+    spheres: int = 14
+    """Of its hull, which is fitted into the mesh."""
+
+
+@dataclass(frozen=True)
+class PlacedScenery:
+    """A mesh that never moves."""
+
+    name: str
+    file: str
+    sha256: str
+    """As those of a stone."""
+    scale: float = 1.0
+    """[m] of a unit of the mesh."""
+    position: tuple[float, ...] = (0.0, 0.0, 0.0)
+    """[m] of the mesh's own origin."""
+    rotation: tuple[float, ...] = (0.0, 0.0, 0.0)
+    """[rad] rotation vector about that origin."""
+    friction: float = 0.0
+    """[-] of the bodies that stop at it."""
+    stops: tuple[str, ...] = ()
+    """Names of these bodies; others pass through it. Instruments and stones never do."""
+
+
+Placed = PlacedBody | PlacedStone | PlacedScenery
 
 
 @dataclass(frozen=True)
@@ -65,6 +106,23 @@ class Layout:
     task_tr: str = ""
     bodies: tuple[PlacedBody, ...] = ()
     pairs: tuple[TouchingPair, ...] = ()
+    stones: tuple[PlacedStone, ...] = ()
+    scenery: tuple[PlacedScenery, ...] = ()
+    gravity: tuple[float, ...] = ()
+    """[m/s²] (3,) None: that of the first body's organ."""
+
+    @property
+    def parts(self) -> tuple[Placed, ...]:
+        """All that is placed."""
+        return (*self.bodies, *self.stones, *self.scenery)
+
+    def find_part(self, name: str) -> Placed:
+        """Raises LayoutError."""
+        for part in self.parts:
+            if part.name == name:
+                return part
+        known = ", ".join(part.name for part in self.parts) or "none yet"
+        raise LayoutError(f"{name}: got nothing of this name, expected one of {known}")
 
     def find(self, name: str) -> int:
         """The number of a body. Raises LayoutError."""
@@ -116,27 +174,39 @@ def redo(history: History) -> History:
 # ---------------------------------------------------------------- changes
 
 
-def add_body(layout: Layout, body: PlacedBody) -> Layout:
-    if any(other.name == body.name for other in layout.bodies):
-        raise LayoutError(f"{body.name}: got a name that another body has, expected a new one")
-    return replace(layout, bodies=(*layout.bodies, body))
+KINDS: dict[type, str] = {PlacedBody: "bodies", PlacedStone: "stones", PlacedScenery: "scenery"}
+"""What is placed -> the field of a layout that has it."""
 
 
-def remove_body(layout: Layout, name: str) -> Layout:
-    """With the pairs it is in."""
-    layout.find(name)
-    return replace(
+def add_part(layout: Layout, part: Placed) -> Layout:
+    if any(other.name == part.name for other in layout.parts):
+        raise LayoutError(f"{part.name}: got a name that is taken, expected a new one")
+    rows = getattr(layout, KINDS[type(part)])
+    return replace(layout, **{KINDS[type(part)]: (*rows, part)})
+
+
+def remove_part(layout: Layout, name: str) -> Layout:
+    """A body with the pairs it is in, and no longer stopped by any scenery."""
+    field = KINDS[type(layout.find_part(name))]
+    left = replace(
         layout,
-        bodies=tuple(body for body in layout.bodies if body.name != name),
+        **{field: tuple(part for part in getattr(layout, field) if part.name != name)},
         pairs=tuple(pair for pair in layout.pairs if name not in (pair.first, pair.second)),
+    )
+    return replace(
+        left,
+        scenery=tuple(
+            replace(each, stops=tuple(body for body in each.stops if body != name))
+            for each in left.scenery
+        ),
     )
 
 
-def change_body(layout: Layout, name: str, change: Callable[[PlacedBody], PlacedBody]) -> Layout:
-    bodies = list(layout.bodies)
-    index = layout.find(name)
-    bodies[index] = change(bodies[index])
-    return replace(layout, bodies=tuple(bodies))
+def change_part(layout: Layout, name: str, change: Callable[[Any], Placed]) -> Layout:
+    part = layout.find_part(name)
+    field = KINDS[type(part)]
+    rows = tuple(change(row) if row is part else row for row in getattr(layout, field))
+    return replace(layout, **{field: rows})
 
 
 def is_of(pair: TouchingPair, first: str, second: str) -> bool:
@@ -144,65 +214,45 @@ def is_of(pair: TouchingPair, first: str, second: str) -> bool:
 
 
 def set_pair(layout: Layout, pair: TouchingPair) -> Layout:
-    """In place of one of the same two bodies, if there is one."""
+    """In place of one of the same two bodies, if there is one; a body and a scenery: that stops
+    it."""
     if pair.first == pair.second:
         raise LayoutError(
             f"{pair.first}: got a body with itself, expected two; --fold lets it fold"
         )
-    for name in (pair.first, pair.second):
-        layout.find(name)
+    stopped = find_stopped(layout, pair.first, pair.second)
+    if stopped is not None:
+        scenery, body = stopped
+        stops = tuple(dict.fromkeys((*scenery.stops, body)))
+        return change_part(layout, scenery.name, lambda each: replace(each, stops=stops))
     others = tuple(p for p in layout.pairs if not is_of(p, pair.first, pair.second))
     return replace(layout, pairs=(*others, pair))
 
 
+def find_stopped(layout: Layout, first: str, second: str) -> tuple[PlacedScenery, str] | None:
+    """The scenery and the name of the body, of two that are these; None for two bodies. Raises
+    LayoutError for all else."""
+    parts = [layout.find_part(name) for name in (first, second)]
+    for part in parts:
+        if isinstance(part, PlacedStone):
+            raise LayoutError(
+                f"{part.name}: got a stone, expected bodies and scenery: a stone touches all"
+            )
+    scenery = [part for part in parts if isinstance(part, PlacedScenery)]
+    if not scenery:
+        return None
+    if len(scenery) == 2:
+        raise LayoutError(f"{first}, {second}: got two that never move, expected a body")
+    return scenery[0], second if scenery[0].name == first else first
+
+
 def remove_pair(layout: Layout, first: str, second: str) -> Layout:
+    stopped = find_stopped(layout, first, second)
+    if stopped is not None and stopped[1] in stopped[0].stops:
+        scenery, body = stopped
+        stops = tuple(name for name in scenery.stops if name != body)
+        return change_part(layout, scenery.name, lambda each: replace(each, stops=stops))
     others = tuple(pair for pair in layout.pairs if not is_of(pair, first, second))
     if len(others) == len(layout.pairs):
         raise LayoutError(f"{first}, {second}: got no pair of these, expected one that may touch")
     return replace(layout, pairs=others)
-
-
-# ---------------------------------------------------------------- the file
-
-
-def read_layout(path: Path) -> History:
-    """Raises Refusal or OSError."""
-    data = read_document(
-        path, format=FORMAT, version=VERSION, what="a layout", most_bytes=MOST_BYTES
-    )
-    section = {key: value for key, value in data.items() if key not in ("format", "version")}
-    history: History = read_part(path, "layout", History, section, whole=True)
-    for layout in (history.now, *history.before, *history.undone):
-        require_sound(path, layout)
-    return history
-
-
-def require_sound(path: Path, layout: Layout) -> None:
-    """What no edit would have made. Raises Refusal."""
-    names = [body.name for body in layout.bodies]
-    for index, body in enumerate(layout.bodies):
-        where = f"bodies[{index}]"
-        if not body.name or body.name in names[:index]:
-            raise Refusal(path, f"{where}.name", repr(body.name), "a name of its own")
-        for field in ("position", "rotation"):
-            count = len(getattr(body, field))
-            if count != 3:
-                raise Refusal(path, f"{where}.{field}", f"{count} numbers", "3")
-    known: list[set[str]] = []
-    for index, pair in enumerate(layout.pairs):
-        both = {pair.first, pair.second}
-        if len(both) != 2 or not both <= set(names) or both in known:
-            got = f"{pair.first!r} and {pair.second!r}"
-            raise Refusal(path, f"pairs[{index}]", got, "two of the bodies, each pair once")
-        known.append(both)
-
-
-def write_layout(path: Path, history: History) -> None:
-    """Writes whole or not at all. Raises OSError."""
-    data = {"format": FORMAT, "version": VERSION}
-    data |= {each.name: convert(getattr(history, each.name)) for each in fields(history)}
-    write_whole(path, (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode())
-
-
-def convert(value: Layout | tuple[Layout, ...]) -> object:
-    return asdict(value) if isinstance(value, Layout) else [asdict(each) for each in value]

@@ -15,7 +15,7 @@ import palpate
 from palpate import scenario
 from palpate.assessment.publish import find_regions
 from palpate.files.refusal import Refusal
-from palpate.layout.document import Layout, PlacedBody
+from palpate.layout.document import Layout, Placed, PlacedBody
 from palpate.runs.run import is_published
 from palpate.scene.scene_file import hash_file
 
@@ -62,8 +62,8 @@ def read_placed(path: Path, body: PlacedBody) -> Organ:
     return organ
 
 
-def move_points(body: PlacedBody, points: Floats) -> Floats:
-    """[m] (n, 3) of an organ, where its body stands."""
+def move_points(body: Placed, points: Floats) -> Floats:
+    """[m] (n, 3) of an organ or a mesh, where it stands."""
     return np.asarray(
         Rotation.from_rotvec(body.rotation).apply(points) + np.asarray(body.position), dtype=float
     )

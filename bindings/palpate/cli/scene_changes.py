@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the verb `scene` changes of a layout: what is in it, where that stands, what may touch."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from palpate.command.verb import WrongCall
+from palpate.layout import document
+from palpate.layout.document import (
+    Layout,
+    LayoutError,
+    Placed,
+    PlacedBody,
+    PlacedScenery,
+    PlacedStone,
+    TouchingPair,
+)
+from palpate.layout.gaps import Surface
+from palpate.layout.hard_parts import scale_mesh
+from palpate.layout.placed import build_body, find_region, find_surface, read_organ, read_placed
+from palpate.layout.snap import measure_patch, snap
+from palpate.layout.stone import FEWEST, MOST
+from palpate.scene.mesh_file import read_mesh_file
+from palpate.scene.scene_file import hash_file
+
+ORGAN = "organ"
+KINDS: dict[str, type] = {ORGAN: PlacedBody, "stone": PlacedStone, "scenery": PlacedScenery}
+UNITS = {"m": 1.0, "mm": 1e-3}
+"""[m] of a mesh's unit."""
+OF_KIND = {"density": (PlacedStone,), "spheres": (PlacedStone,),
+           "friction": (PlacedStone, PlacedScenery)}  # fmt: skip
+"""Options that only some of what is placed have."""
+RANGES = {"density": (1.0, 3e4), "spheres": (FEWEST, MOST), "friction": (0.0, 2.0)}
+
+
+def change_add(layout: Layout, call: argparse.Namespace) -> Layout:
+    part: Placed = KINDS[call.kind](
+        call.name or call.organ.stem,
+        Path(os.path.relpath(call.organ.resolve(), call.file.resolve().parent)).as_posix(),
+        "",
+    )
+    if not isinstance(part, PlacedBody):
+        part = replace(part, scale=UNITS[call.unit])
+    elif call.unit != "m":
+        raise WrongCall(
+            "--unit: got one for an organ, expected it for a mesh: an organ has its own"
+        )
+    read_again(part, call.organ)
+    return document.add_part(layout, place(replace(part, sha256=hash_file(call.organ)), call))
+
+
+def read_again(part: Placed, file: Path) -> None:
+    """Raises Refusal for a file that it cannot be made of."""
+    if isinstance(part, PlacedBody):
+        read_organ(file)
+    else:
+        scale_mesh(file, read_mesh_file(file), part)
+
+
+def change_place(layout: Layout, call: argparse.Namespace) -> Layout:
+    if call.remove:
+        return document.remove_part(layout, call.name)
+    if bool(call.snap) != bool(call.onto):
+        raise WrongCall("--snap, --onto: got one, expected both: a region of it and BODY/REGION")
+    changed = document.change_part(layout, call.name, lambda part: place(part, call))
+    if call.renew:
+        part = changed.find_part(call.name)
+        file = call.file.parent / part.file
+        read_again(part, file)
+        changed = document.change_part(
+            changed, call.name, lambda part: replace(part, sha256=hash_file(file))
+        )
+    return snap_body(changed, call) if call.snap else changed
+
+
+def place(part: Any, call: argparse.Namespace) -> Any:
+    if call.at is not None:
+        part = replace(part, position=tuple(1e-3 * x for x in call.at))
+    if getattr(call, "by", None) is not None:
+        moved = np.asarray(part.position) + 1e-3 * np.asarray(call.by)
+        part = replace(part, position=tuple(map(float, moved)))
+    if call.turn is not None:
+        turn = Rotation.from_euler("xyz", call.turn, degrees=True).as_rotvec()
+        part = replace(part, rotation=tuple(map(float, turn)))
+    if getattr(call, "fold", None) is not None:
+        if not isinstance(part, PlacedBody):
+            raise LayoutError(
+                f"{part.name}: got --fold, expected it for a body: this keeps its shape"
+            )
+        part = replace(part, may_fold=call.fold)
+    return set_numbers(part, call)
+
+
+def set_numbers(part: Any, call: argparse.Namespace) -> Any:
+    """Of a stone or scenery. Raises LayoutError for one that it has not, or out of range."""
+    for name, kinds in OF_KIND.items():
+        value = getattr(call, name)
+        if value is None:
+            continue
+        if not isinstance(part, kinds):
+            raise LayoutError(f"{part.name}: got --{name}, which it has not")
+        low, high = RANGES[name]
+        if not low <= value <= high:
+            raise LayoutError(f"--{name}: got {value:g}, expected {low:g} to {high:g}")
+        part = replace(part, **{name: value})
+    return part
+
+
+def snap_body(layout: Layout, call: argparse.Namespace) -> Layout:
+    other, slash, region = call.onto.partition("/")
+    if not slash or other == call.name:
+        raise WrongCall(f"--onto: got {call.onto!r}, expected BODY/REGION of another body")
+    for name in (call.name, other):
+        if not isinstance(layout.find_part(name), PlacedBody):
+            raise LayoutError(f"{name}: got no organ, expected one, which has regions")
+    surfaces, patches = [], []
+    for name, where in ((call.name, call.snap), (other, region)):
+        placed = layout.bodies[layout.find(name)]
+        organ = read_placed(call.file, placed)
+        surfaces.append(Surface(*find_surface(build_body(organ, placed, touches=False))))
+        try:
+            patches.append(measure_patch(surfaces[-1], find_region(organ, where)))
+        except ValueError as problem:
+            raise WrongCall(f"{name}/{where}: {problem}") from None
+    return document.change_part(
+        layout,
+        call.name,
+        lambda body: snap(body, surfaces[0], patches[0], surfaces[1], patches[1], call.gap),
+    )
+
+
+def change_pair(layout: Layout, call: argparse.Namespace) -> Layout:
+    if call.remove:
+        return document.remove_pair(layout, call.first, call.second)
+    pair = TouchingPair(call.first, call.second, call.thickness, call.stiffness, call.damping)
+    return document.set_pair(layout, pair)
+
+
+CHANGES: dict[str, Callable[[Layout, argparse.Namespace], Layout]] = {
+    "add": change_add,
+    "place": change_place,
+    "pair": change_pair,
+}

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The report of the verb `scene` in words."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from scipy.spatial.transform import Rotation
+
+from palpate.command.verb import Report
+
+
+def describe_scene(report: Report) -> str:
+    lines = [f"{report['layout']}: {report['title'] or 'without a title'}"]
+    for body in report["bodies"]:
+        lines.append(describe_place(body) + ("; may fold" if body["may_fold"] else ""))
+    for stone in report["stones"]:
+        lines.append(describe_place(stone) + describe_hull(stone))
+    for scenery in report["scenery"]:
+        stops = ", ".join(scenery["stops"]) or "no body"
+        lines.append(f"{describe_place(scenery)}; scenery, stops {stops}")
+    if "problems" not in report:
+        lines += [f"  {first} and {second} may touch" for first, second in report["pairs"]]
+        lines.append(f"  {report['can_undo']} changes can be undone, {report['can_redo']} redone")
+        return "\n".join(lines)
+    lines += map(describe_costs, report["costs"])
+    for problem in report["problems"]:
+        lines.append(f"{problem['severity']}: {problem['where']}: {problem['message']}")
+    return "\n".join([*lines, describe_end(report)])
+
+
+def describe_place(told: dict[str, Any]) -> str:
+    at = ", ".join(f"{1e3 * x:.2f}" for x in told["position_m"])
+    turn = Rotation.from_rotvec(told["rotation_rad"]).as_euler("xyz", degrees=True)
+    return f"  {told['name']}: at {at} mm, turned {', '.join(f'{x:.1f}' for x in turn)} degrees"
+
+
+def describe_hull(told: dict[str, Any]) -> str:
+    said = f"; a stone of {told['density_kg_per_m3']:g} kg/m³, {told['spheres']} spheres"
+    if "mass_kg" not in told:
+        return said
+    return f"{said}, {1e3 * told['mass_kg']:.3g} g, hull up to {1e3 * told['hull_gap_m']:.2f} mm in"
+
+
+def describe_costs(told: dict[str, Any]) -> str:
+    head = f"  {told['pair']}: thickness {1e3 * told['thickness_m']:.2f} mm"
+    if "pair_median_us" not in told:
+        return head
+    return (
+        f"{head}; pressed together {told['most_touching']} vertices touch, "
+        f"{told['pair_median_us']:.0f} us median and {told['pair_p99_us']:.0f} us p99 of ticks of "
+        f"{told['tick_median_us']:.0f} and {told['tick_p99_us']:.0f} us on this machine"
+    )
+
+
+def describe_end(report: Report) -> str:
+    if has_failed(report):
+        return "not published" if report["action"] == "publish" else "cannot be published"
+    if report["out"]:
+        return f"wrote {report['out']}; not validated, not a medical device"
+    return "can be published" + ("" if report["measured"] else "; no pair was pressed (--quick)")
+
+
+def has_failed(report: Report) -> bool:
+    return any(problem["severity"] == "error" for problem in report.get("problems", ()))

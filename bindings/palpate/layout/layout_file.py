@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A layout and its past as a file."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import Any
+
+from palpate.files.json_document import read_document
+from palpate.files.json_part import read_part
+from palpate.files.refusal import Refusal
+from palpate.files.whole_file import write_whole
+from palpate.layout.document import FORMAT, VERSION, History, Layout
+
+MOST_BYTES = 16 * 2**20
+HARD = ("stones", "scenery", "gravity")
+"""What a layout of version 1 had not."""
+
+
+def read_layout(path: Path) -> History:
+    """Raises Refusal or OSError."""
+    data = read_document(
+        path, format=FORMAT, version=VERSION, what="a layout", most_bytes=MOST_BYTES, older=(1,)
+    )
+    section = {key: value for key, value in data.items() if key not in ("format", "version")}
+    if data["version"] == 1:
+        section = {key: add_hard_parts(path, value) for key, value in section.items()}
+    history: History = read_part(path, "layout", History, section, whole=True)
+    for layout in (history.now, *history.before, *history.undone):
+        require_sound(path, layout)
+    return history
+
+
+def add_hard_parts(path: Path, value: Any) -> Any:
+    """A layout, or a list of them, of version 1 as one of version 2. Raises Refusal."""
+    if isinstance(value, list):
+        return [add_hard_parts(path, each) for each in value]
+    if not isinstance(value, dict):
+        return value  # refused by the reader
+    for name in HARD:
+        if name in value:
+            raise Refusal(path, name, "some in a layout of version 1", "none")
+    return {**value, **dict.fromkeys(HARD, [])}
+
+
+def require_sound(path: Path, layout: Layout) -> None:
+    """What no edit would have made. Raises Refusal."""
+    names = [part.name for part in layout.parts]
+    for index, part in enumerate(layout.parts):
+        where = f"{part.name or index}"
+        if not part.name or part.name in names[:index]:
+            raise Refusal(path, f"{where}.name", repr(part.name), "a name of its own")
+        for field in ("position", "rotation"):
+            count = len(getattr(part, field))
+            if count != 3:
+                raise Refusal(path, f"{where}.{field}", f"{count} numbers", "3")
+    if len(layout.gravity) not in (0, 3):
+        raise Refusal(path, "gravity", f"{len(layout.gravity)} numbers", "3, or none")
+    bodies = {body.name for body in layout.bodies}
+    known: list[set[str]] = []
+    for index, pair in enumerate(layout.pairs):
+        both = {pair.first, pair.second}
+        if len(both) != 2 or not both <= bodies or both in known:
+            got = f"{pair.first!r} and {pair.second!r}"
+            raise Refusal(path, f"pairs[{index}]", got, "two of the bodies, each pair once")
+        known.append(both)
+    for index, scenery in enumerate(layout.scenery):
+        if not set(scenery.stops) <= bodies or len(set(scenery.stops)) < len(scenery.stops):
+            raise Refusal(path, f"scenery[{index}].stops", ", ".join(scenery.stops),
+                          "names of bodies, each once")  # fmt: skip
+
+
+def write_layout(path: Path, history: History) -> None:
+    """Writes whole or not at all. Raises OSError."""
+    data = {"format": FORMAT, "version": VERSION}
+    data |= {each.name: convert(getattr(history, each.name)) for each in fields(history)}
+    write_whole(path, (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode())
+
+
+def convert(value: Layout | tuple[Layout, ...]) -> object:
+    return asdict(value) if isinstance(value, Layout) else [asdict(each) for each in value]

@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`palpate scene` with stones and scenery: from meshes to a file that is played."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import palpate
+import pytest
+from palpate.cli.main import main
+from palpate.layout.document import PlacedStone
+from palpate.layout.gaps import Surface
+from palpate.layout.hard_parts import build_stone
+from palpate.layout.layout_file import read_layout
+from palpate.layout.stone import FEWEST, MOST, fit_hull, measure_mass
+from scipy.spatial.transform import Rotation
+from stones import make_table
+from surfaces import ellipsoid
+from test_layout import write_organ
+from test_scene_verb import say
+
+HALF = np.array([5.5, 4.5, 4.0])
+"""[mm] Half axes of the stone."""
+
+
+def make_stone(scale: float = 1.0) -> palpate.SurfaceMesh:
+    ball = ellipsoid((1.0, 1.0, 1.0), 3)
+    x = np.asarray(ball.vertices)
+    return palpate.SurfaceMesh(scale * HALF * x / np.abs(x).max(axis=0), ball.triangles)
+
+
+def write_mesh(path: Path, mesh: palpate.SurfaceMesh) -> Path:
+    rows = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(mesh.vertices).tolist()]
+    rows += [f"f {a} {b} {c}" for a, b, c in (np.asarray(mesh.triangles) + 1).tolist()]
+    path.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    return path
+
+
+@pytest.fixture
+def layout(tmp_path, capsys) -> Path:
+    """An organ, a stone on the table beside it, and the table, which stops the organ."""
+    organ, path = write_organ(tmp_path), tmp_path / "stone.layout.json"
+    stone = write_mesh(tmp_path / "stone.obj", make_stone())
+    table = write_mesh(tmp_path / "table.obj", make_table())
+    say(capsys, "new", "-o", path, "--title", "A stone")
+    say(capsys, "add", path, organ, "--name", "organ")
+    told = say(capsys, "add", path, stone, "--as", "stone", "--unit", "mm", "--at", "50,0,-55.9",
+               "--density", "1900kg/m3", "--friction", 0.4)  # fmt: skip
+    assert told["code"] == 0
+    assert say(capsys, "add", path, table, "--as", "scenery")["code"] == 0
+    assert say(capsys, "pair", path, "organ", "table")["code"] == 0
+    return path
+
+
+def test_from_meshes_to_a_file_that_is_pressed_and_replays(layout, tmp_path, capsys):
+    out, record = tmp_path / "stone.palpate", tmp_path / "stone.prec"
+
+    told = say(capsys, "publish", layout, "-o", out)
+
+    assert (told["code"], told["out"]) == (0, str(out))
+    scene = palpate.scenario.read(out).scene
+    (stone,), (table,) = scene.rigid, scene.scenery
+    volume = 4.0 / 3.0 * np.pi * 1e-9 * HALF.prod()
+    assert stone.mass == pytest.approx(1900.0 * volume, rel=0.03)
+    assert told["stones"][0]["mass_kg"] == stone.mass
+    assert 0.0 < told["stones"][0]["hull_gap_m"] < 8e-4
+    assert len(stone.sphere_radii) == 14 and stone.friction == 0.4
+    assert list(table.bodies) == [0]
+    assert np.allclose(stone.position, (0.05, 0.0, -0.0559), atol=1e-6)
+    kept = json.loads(palpate.scenario.read(out).authored)["content"]["layout"]
+    assert kept["stones"][0]["name"] == "stone" and kept["scenery"][0]["stops"] == ["organ"]
+    assert main(["press", str(out), "--at", "0,0,80", "--record", str(record)]) == 0
+    assert main(["replay", str(record)]) == 0
+    assert "the same bits" in capsys.readouterr().out
+
+
+def test_stones_and_scenery_are_changed_undone_and_removed(layout, capsys):
+    before = json.loads(layout.read_text(encoding="utf-8"))["now"]
+
+    moved = say(capsys, "place", layout, "stone", "--by", "0,10,0", "--turn", "0,0,90",
+                "--spheres", 20, "--density", "2500kg/m3")  # fmt: skip
+
+    (stone,) = moved["stones"]
+    assert stone["position_m"] == pytest.approx([0.05, 0.01, -0.0559])
+    assert (stone["spheres"], stone["density_kg_per_m3"]) == (20, 2500.0)
+    say(capsys, "undo", layout)
+    assert json.loads(layout.read_text(encoding="utf-8"))["now"] == before
+    assert say(capsys, "redo", layout)["stones"] == moved["stones"]
+    assert say(capsys, "pair", layout, "table", "organ", "--remove")["scenery"][0]["stops"] == []
+    say(capsys, "pair", layout, "table", "organ")
+    assert say(capsys, "place", layout, "organ", "--remove")["scenery"][0]["stops"] == []
+    assert say(capsys, "place", layout, "stone", "--remove")["stones"] == []
+    assert say(capsys, "place", layout, "table", "--remove")["scenery"] == []
+
+
+def test_what_begins_in_something_is_told_by_its_name(layout, capsys):
+    say(capsys, "place", layout, "stone", "--at", "0,0,0")
+    (problem,) = say(capsys, "check", layout, "--quick")["problems"]
+    assert problem["severity"] == "error"
+    assert "rigid[0] (stone): got sphere" in problem["message"]
+    assert "deep in body 0 (organ)" in problem["message"]
+    say(capsys, "place", layout, "stone", "--at", "50,0,-55.9")
+    say(capsys, "place", layout, "table", "--at", "0,0,45")
+    (problem,) = say(capsys, "check", layout, "--quick")["problems"]
+    assert "scenery[0] (table): got vertex" in problem["message"]
+
+
+def test_a_stone_that_nothing_bears_and_scenery_that_stops_nothing_are_told(layout, capsys):
+    say(capsys, "pair", layout, "table", "organ", "--remove")
+    say(capsys, "place", layout, "stone", "--at", "300,0,0")
+
+    floats = say(capsys, "check", layout)
+    falls = say(capsys, "check", layout, "--gravity", "0,0,-9.81")
+
+    said = {problem["where"]: problem for problem in floats["problems"]}
+    assert floats["code"] == falls["code"] == 0
+    assert said["table"]["severity"] == "note"
+    assert "stops instruments and stones alone" in said["table"]["message"]
+    assert "stones float" in said["scene"]["message"] and "stone" not in said
+    said = {problem["where"]: problem for problem in falls["problems"]}
+    assert said["stone"]["severity"] == "warning" and "it falls" in said["stone"]["message"]
+    assert "scene" not in said
+
+
+def test_a_published_stone_lies_on_its_table_under_gravity(layout, tmp_path, capsys):
+    out = tmp_path / "stone.palpate"
+    told = say(capsys, "publish", layout, "-o", out, "--gravity", "0,0,-9.81")
+    assert (told["code"], told["out"]) == (0, str(out))
+    scene = palpate.scenario.read(out).scene
+    assert scene.gravity[2] == -9.81
+
+    world, sample = palpate.World(scene), palpate.HapticSample(position=(0.0, 0.0, 0.2))
+    for _ in range(600):
+        palpate.tick(scene, sample, 1e-3, world)
+
+    (stone,) = world.rigid
+    lowest = np.asarray(scene.rigid[0].mesh.vertices)[:, 2].min()
+    assert np.linalg.norm(stone.velocity) < 0.02
+    assert stone.position[2] == pytest.approx(-0.06 - lowest, abs=7e-4)
+
+
+def test_a_layout_of_before_there_were_stones_is_read(layout, capsys):
+    made = json.loads(layout.read_text(encoding="utf-8"))
+    made["version"] = 1
+    for each in (made["now"], *made["before"], *made["undone"]):
+        del each["stones"], each["scenery"], each["gravity"]
+    layout.write_text(json.dumps(made), encoding="utf-8")
+
+    assert read_layout(layout).now.stones == ()
+    told = say(capsys, "place", layout, "organ", "--by", "0,0,1")
+    assert (told["code"], told["stones"], told["scenery"]) == (0, [], [])
+    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (["place", "stone", "--fold"], 2, "this keeps its shape"),
+        (["place", "organ", "--density", "2000kg/m3"], 2, "organ: got --density, which it has not"),
+        (["place", "table", "--spheres", "9"], 2, "table: got --spheres, which it has not"),
+        (["place", "stone", "--spheres", "7"], 2, "--spheres: got 7, expected 8 to 20"),
+        (["place", "stone", "--density", "0kg/m3"], 2, "--density: got 0"),
+        (["place", "stone", "--friction", "nan"], 2, "--friction: got nan"),
+        (["place", "stone", "--snap", "top", "--onto", "organ/top"], 2, "stone: got no organ"),
+        (["pair", "stone", "organ"], 2, "a stone touches all"),
+        (["pair", "table", "table"], 2, "got a body with itself"),
+        (["add", "open.obj", "--as", "stone"], 1, "got an open surface, expected a closed one"),
+        (["add", "stone.obj", "--as", "stone", "--name", "big"], 1, "--unit mm"),
+        (["add", "stone.obj", "--as", "stone", "--unit", "mm"], 2, "a name that is taken"),
+        (["add", "organ.palpate", "--unit", "mm", "--name", "other"], 2, "an organ has its own"),
+        (["add", "organ.palpate", "--as", "stone", "--name", "other"], 1, "organ.palpate: got"),
+    ],
+)
+def test_what_cannot_be_done_is_refused_and_leaves_the_layout_as_it_was(
+    words, code, said, layout, monkeypatch, capsys
+):
+    monkeypatch.chdir(layout.parent)
+    open_one = palpate.SurfaceMesh([(0, 0, 0), (0.01, 0, 0), (0, 0.01, 0)], [(0, 1, 2)])
+    write_mesh(layout.parent / "open.obj", open_one)
+    before = layout.read_bytes()
+
+    assert main(["scene", words[0], str(layout), *words[1:]]) == code
+
+    assert said in capsys.readouterr().err
+    assert layout.read_bytes() == before
+
+
+def test_a_changed_mesh_is_told_and_its_new_file_can_be_taken(layout, tmp_path, capsys):
+    write_mesh(tmp_path / "stone.obj", make_stone(0.5))
+
+    (problem,) = say(capsys, "check", layout, "--quick")["problems"]
+    assert problem["where"] == "stone" and "another file than was added" in problem["message"]
+    say(capsys, "place", layout, "stone", "--renew")
+    assert say(capsys, "check", layout, "--quick")["code"] == 0
+
+
+# ---------------------------------------------------------------- mass and hull
+
+
+def test_mass_and_inertia_of_an_ellipsoid_are_those_of_the_books():
+    turn = Rotation.from_rotvec((0.3, -0.8, 0.5)).as_matrix()
+    mesh = make_stone(1e-3)
+    moved = np.asarray(mesh.vertices) @ turn.T + (0.1, 0.2, 0.3)
+    still, turned = measure_mass(mesh), measure_mass(palpate.SurfaceMesh(moved, mesh.triangles))
+
+    # I = m/5 (b² + c²), ascending; a mesh of chords is a little smaller
+    square = (1e-3 * HALF) ** 2
+    by_hand = still.volume / 5.0 * (square.sum() - square)
+    assert still.volume == pytest.approx(4.0 / 3.0 * np.pi * 1e-9 * HALF.prod(), rel=0.03)
+    assert still.inertia == pytest.approx(by_hand, rel=0.03)
+    assert turned.volume == pytest.approx(still.volume, rel=1e-9)
+    assert turned.inertia == pytest.approx(still.inertia, rel=1e-9)
+    assert turned.centre - (0.1, 0.2, 0.3) == pytest.approx(turn @ still.centre, abs=1e-12)
+    assert np.abs(turned.axes.T @ turn @ still.axes) == pytest.approx(np.eye(3), abs=1e-6)
+
+
+def test_the_inertia_of_a_box_is_exact():
+    box = measure_mass(make_table(0.05))
+    sides = np.array([0.1, 0.1, 0.01])
+    assert box.volume == pytest.approx(sides.prod())
+    by_hand = box.volume / 12.0 * ((sides**2).sum() - sides**2)
+    assert box.inertia == pytest.approx(np.sort(by_hand))
+
+
+@pytest.mark.parametrize("count", [FEWEST, 14, MOST])
+def test_the_spheres_of_a_hull_lie_in_the_mesh_and_touch_it(count):
+    mesh = make_stone(1e-3)
+    hull = fit_hull(mesh, count)
+
+    surface = Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+    assert len(np.unique(hull.centres, axis=0)) == count
+    for centre, radius in zip(hull.centres, hull.radii, strict=True):
+        gap = surface.find_near(centre, 0.0, np.zeros(3))
+        assert gap is not None and -gap.size == pytest.approx(radius, rel=1e-9)
+    gaps = np.linalg.norm(surface.x[:, None] - hull.centres, axis=2) - hull.radii
+    assert gaps.min(axis=1).max() == pytest.approx(hull.deepest)
+    assert hull.deepest < 0.12 * 2e-3 * HALF.max()
+
+
+def test_a_stone_is_the_same_however_it_is_turned_in_its_file():
+    turn = Rotation.from_rotvec((0.4, 0.2, -0.9))
+    mesh = make_stone(1e-3)
+    x = turn.apply(np.asarray(mesh.vertices)) + (0.02, 0.0, 0.0)
+    placed = PlacedStone("stone", "stone.obj", "", position=(0.0, 0.1, 0.0))
+    a = build_stone(mesh, placed).body
+    b = build_stone(palpate.SurfaceMesh(x, mesh.triangles), placed).body
+
+    for body, points in ((a, np.asarray(mesh.vertices)), (b, x)):
+        world = Rotation.from_quat(body.orientation).apply(body.mesh.vertices) + body.position
+        assert world == pytest.approx(points + (0.0, 0.1, 0.0), abs=1e-9)
+    assert b.mass == pytest.approx(a.mass)
+    assert b.inertia == pytest.approx(a.inertia)
+
+
+def test_a_mesh_inside_out_and_one_without_room_are_refused():
+    mesh = make_stone(1e-3)
+    turned = palpate.SurfaceMesh(mesh.vertices, np.asarray(mesh.triangles)[:, ::-1])
+    with pytest.raises(ValueError, match="counter-clockwise"):
+        measure_mass(turned)
+    with pytest.raises(ValueError, match="spheres: got 7, expected 8 to 20"):
+        fit_hull(mesh, 7)
+    with pytest.raises(ValueError, match="no room for spheres"):
+        corners = [(0, 0, 0), (0.01, 0, 0), (0, 0.01, 0), (0.003, 0.003, 1e-6)]
+        flat = palpate.SurfaceMesh(corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
+        fit_hull(flat, 8)
