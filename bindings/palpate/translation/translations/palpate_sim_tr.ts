@@ -408,6 +408,46 @@
         <translation>sabit çevrenin %1 numaralı köşesi, %3 numaralı cismin %2 mm içinde</translation>
     </message>
     <message>
+        <source>%1 m from side to side</source>
+        <translation>bir yandan öbürüne %1 m</translation>
+    </message>
+    <message>
+        <source>3, or none</source>
+        <translation>3 ya da hiç</translation>
+    </message>
+    <message>
+        <source>a closed one, as a stone has</source>
+        <translation>taşlarınki gibi kapalı bir yüzey</translation>
+    </message>
+    <message>
+        <source>a mesh with no room for spheres</source>
+        <translation>içine küre sığmayan bir ağ</translation>
+    </message>
+    <message>
+        <source>a volume of %1 mm³</source>
+        <translation>%1 mm³ hacim</translation>
+    </message>
+    <message>
+        <source>an open surface</source>
+        <translation>açık bir yüzey</translation>
+    </message>
+    <message>
+        <source>names of bodies, each once</source>
+        <translation>cisimlerin adları, her biri bir kez</translation>
+    </message>
+    <message>
+        <source>one with an inside</source>
+        <translation>içi olan bir ağ</translation>
+    </message>
+    <message>
+        <source>some in a layout of version 1</source>
+        <translation>1 sürümündeki bir yerleşimde birkaç tane</translation>
+    </message>
+    <message>
+        <source>up to %1 m; a file in millimetres is added with --unit mm</source>
+        <translation>en çok %1 m; milimetre cinsinden bir dosya --unit mm ile eklenir</translation>
+    </message>
+    <message>
         <source>%1, one more for each body that may fold</source>
         <translation>%1; katlanabilen her cisim için bir fazlası</translation>
     </message>
