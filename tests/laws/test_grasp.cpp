@@ -23,6 +23,7 @@ constexpr double kFriction = 0.5;
 struct Sliding {
   double least = 1e9, most = 0.0;  // [-] what sticks carries, over 2 mu N
   double vector = 0.0;             // [-] the same as a vector, at most
+  double share = 0.0;              // [-] of the pinch that is on what lies between both pads
 };
 
 /// Drawn out by 8 mm; while it slides, from 4 mm on.
@@ -34,11 +35,16 @@ Sliding draw_out(const Scene& scene, double mu) {
   Sliding sliding;
   hand.after_tick = [&] {
     const ToolState& tool = hand.tool();
-    if (!(tool.pinch > 0.0)) return;
-    const double ratio = tool.held_load / (2.0 * mu * tool.pinch);
-    sliding.least = std::min(sliding.least, ratio);
-    sliding.most = std::max(sliding.most, ratio);
-    sliding.vector = std::max(sliding.vector, tool.carried.norm() / (2.0 * mu * tool.pinch));
+    double most = 0.0;  // mu N of all anchors, N what lies between the pads has of friction
+    for (int k = 0; k < tool.anchor_count; ++k) {
+      most += mu * tool.anchors[static_cast<std::size_t>(k)].pressed;
+    }
+    if (!(most > 0.0)) return;
+    CHECK(most < 2.0 * mu * tool.pinch * (1.0 + 1e-9));
+    sliding.least = std::min(sliding.least, tool.held_load / most);
+    sliding.most = std::max(sliding.most, tool.held_load / most);
+    sliding.vector = std::max(sliding.vector, tool.carried.norm() / most);
+    sliding.share = std::max(sliding.share, most / (2.0 * mu * tool.pinch));
   };
   hand.go(0.004, 0.2);
   CHECK_FALSE(hand.world().alarm);
@@ -89,7 +95,8 @@ void check_slip(double grip, double mu) {
       scenes::make_grasped_slab(scenes::make_grasper(mu, grip), 1000.0, 3e7, 1000.0);
   const Sliding sliding = draw_out(scene, mu);
   MESSAGE("N ", grip, ", mu ", mu, ": ", sliding.least, " to ", sliding.most, ", as a vector ",
-          sliding.vector);
+          sliding.vector, ", of the pinch ", sliding.share);
+  CHECK(sliding.share > 0.9);
   CHECK(sliding.most < 1.0 + 1e-9);
   CHECK(sliding.most > (grip > 1.0 ? 0.9 : 0.97));
 }

@@ -85,6 +85,49 @@ def check(sizes: np.ndarray, otherwise: float) -> None:
     assert sizes[:, -100:].max() == 0.0, "something is held on"
 
 
+OPENED = (
+    *((0.0, 0.02, 0), (0.4, None, 0), (0.45, None, 1), (0.7, None, 1), (1.3, 0.006, 1)),
+    *((1.6, 0.006, 1), (1.65, 0.006, 0), (2.2, 0.03, 0), (2.4, 0.03, 0)),
+)
+"""[s], [m] over the surface, None at the depth, and the button: taken, drawn out, let go of."""
+FOLDS = {
+    "wrapped": ((-0.0366, -0.0079, -0.0505), 0.012),
+    "torn": ((-0.0333, -0.0191, -0.0499), 0.018),
+}
+"""[m] Near the antrum, and how deep: where tissue folded around an opened jaw and held it with 4.6 N
+by friction, and where it collapsed under one."""
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("fold", FOLDS)
+def test_opened_jaws_come_out_of_a_fold(fold):
+    scene, task = open_scene("stomach_two_graspers")
+    point, depth = FOLDS[fold]
+    hand = Hand(scene, task, 1)
+    x = hand.surface.vertices[0]
+    at = int(np.argmin(((x - np.array(point)) ** 2).sum(axis=1)))
+    normal = hand.surface.normals[0][at]
+    normal = normal / np.linalg.norm(normal)
+    grasper = palpate.ScriptedDevice(
+        [
+            palpate.KeyFrame(
+                time,
+                hand.surface.above(x[at], normal, -depth if height is None else height),
+                buttons=button,
+            )
+            for time, height, button in OPENED
+        ]
+    )
+    parked = palpate.ScriptedDevice([palpate.KeyFrame(0.0, Hand(scene, task, 0).position)])
+    world, felt = palpate.World(scene), []
+    for tick in range(round(OPENED[-1][0] * scene.rate)):
+        samples = [device.read(tick / scene.rate) for device in (parked, grasper)]
+        commands = palpate.tick(scene, samples, 1.0 / scene.rate, world)
+        assert not world.alarm, (tick, world.alarm)
+        felt.append(np.linalg.norm(commands[1].force))
+    assert max(felt[-100:]) == 0.0, "held by what it has let go of"
+
+
 @pytest.mark.landing
 @pytest.mark.parametrize("name", ["stomach_two_graspers"])
 def test_a_grasp_is_the_same_the_second_time_and_in_another_world(name):

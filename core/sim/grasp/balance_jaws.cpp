@@ -183,7 +183,10 @@ Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolStat
     state.touching = true;
     if (!(around.tool.friction > 0.0)) return;
     const double whole = touch.pressed[static_cast<std::size_t>(jaw)].force;
-    const double pressed = contact.force * (1.0 + layer.force / whole);
+    const Vec3 move = place.jaws.move(jaw, find_at(around, place, jaw, body, t, contact));
+    const double opens = contact.direction.dot(move) / move.norm();
+    const double pressed = contact.force * (1.0 + layer.force / whole) *
+                           find_grip(around.tool, touch.pressed, layer.force, jaw, opens);
     press_anchor(around.tool, place.jaws, bodies, {jaw, body, t, contact.weights, pressed}, sorted,
                  state);
   });
@@ -192,9 +195,8 @@ Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolStat
   state.pad_pressure = 0.0;
   for (const Pressed& pressed : touch.pressed) {
     const double area = find_covered(around.tool, pressed);
-    if (area > 0.0) {
-      state.pad_pressure = std::max(state.pad_pressure, (pressed.force + layer.force) / area);
-    }
+    if (!(area > 0.0)) continue;
+    state.pad_pressure = std::max(state.pad_pressure, (pressed.force + layer.force) / area);
   }
   return sum;
 }

@@ -67,6 +67,15 @@ double find_covered(const Tool& tool, const Pressed& pressed) noexcept {
   return tool.jaws->pad_area * (touched.high - touched.low) / length;
 }
 
+double find_grip(const Tool& tool, const std::array<Pressed, 2>& pressed, double layer, int jaw,
+                 double opens) noexcept {
+  const double smooth = std::min(1.0, kSmoothFriction / tool.friction);
+  const double own = pressed[static_cast<std::size_t>(jaw)].pad + layer;
+  const double other = pressed[static_cast<std::size_t>(1 - jaw)].pad + layer;
+  const double between = own > 0.0 ? std::min(1.0, other / own) : 0.0;
+  return smooth + (1.0 - smooth) * between * find_pad_part(opens);
+}
+
 /// Where both jaws touch, at the distance s from the hinge, they are g = 2 s sin(angle) apart, and
 /// what is between them, L thick at rest, is pressed by
 ///

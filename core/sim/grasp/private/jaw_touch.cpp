@@ -9,10 +9,11 @@ namespace {
 
 /// The layer between jaws is a wall of prisms folded once, or one that stands for what a mesh
 /// without thickness, or of a solid, has left between them.
-void add_pressed(const TouchedSurface& surface, double force, double along,
+void add_pressed(const TouchedSurface& surface, double force, double along, double opens,
                  Pressed& pressed) noexcept {
   const bool wall = surface.wall_thickness > 0.0;
   pressed.force += force;
+  pressed.pad += force * find_pad_part(opens);
   pressed.at += force * along;
   pressed.spread += force * along * along;
   pressed.modulus += force * (wall ? surface.wall_modulus : kLayerPressure);
@@ -47,7 +48,8 @@ JawTouch compute_touch(const JawSurroundings& around, const JawPlace& place) noe
     if (!(contact.force > 0.0)) return;
     const Vec3 at = find_at(around, place, jaw, body, t, contact);
     const Vec3& n = contact.direction;
-    const double turns = n.dot(place.jaws.move(jaw, at));
+    const Vec3 move = place.jaws.move(jaw, at);
+    const double turns = n.dot(move);
     touch.force += contact.force * n;
     touch.torque += contact.force * turns;
     touch.stiffness += contact.stiffness * (n * n.transpose());
@@ -58,7 +60,7 @@ JawTouch compute_touch(const JawSurroundings& around, const JawPlace& place) noe
     const Vec3 along = axis.to - axis.from;
     const double length = along.norm();
     const double where = std::clamp((at - axis.from).dot(along) / length, 0.0, length);
-    add_pressed(surface_of(around, jaw, body), contact.force, where,
+    add_pressed(surface_of(around, jaw, body), contact.force, where, turns / move.norm(),
                 touch.pressed[static_cast<std::size_t>(jaw)]);
   });
   return touch;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -35,6 +36,14 @@ inline constexpr double kLayerFloor = 0.1;
 /// Of a bristle's stiffness over that of the contact, 2 (1 - nu)/(2 - nu) of incompressible tissue
 /// and a rigid tool, doubled: slip is to begin before the patch has changed [contact: jaws].
 inline constexpr double kBristle = 3.0;
+
+/// [-] Of smooth metal on wet serosa, 0.05 to 0.15: of a jaw's back and sides, and of a pad that
+/// nothing presses against from the other one.
+inline constexpr double kSmoothFriction = 0.1;
+
+/// Cosine of a contact's direction and that in which its jaw opens: below the first it is one of
+/// the jaw's back, above the second of its pad.
+inline constexpr double kPadEdge = -0.25, kPadFace = 0.25;
 
 /// Jaws that are open by an angle, in the directions of the scene and about the tool's position.
 class OpenJaws {
@@ -74,6 +83,7 @@ struct Pressed {
   double spread = 0.0;     ///< [N m²] of their squares
   double modulus = 0.0;    ///< [N Pa] of the layer that belongs to them
   double thickness = 0.0;  ///< [N m]
+  double pad = 0.0;        ///< [N] of contacts on its pad
 };
 
 /// The layer between two jaws: how hard it is pressed, and how that grows.
@@ -85,6 +95,17 @@ struct Squeeze {
 
 Squeeze find_squeeze(const Tool& tool, const OpenJaws& jaws,
                      const std::array<Pressed, 2>& pressed) noexcept;
+
+/// The part of a contact's force on a jaw that sticks by the tool's coefficient. A profile holds
+/// what lies between both pads, as hard as the one that is pressed less; all else slides on smooth
+/// metal. `opens` is the cosine of its direction and that in which the jaw opens there.
+double find_grip(const Tool& tool, const std::array<Pressed, 2>& pressed, double layer, int jaw,
+                 double opens) noexcept;
+
+/// The part of a contact that is on the pad.
+inline double find_pad_part(double opens) noexcept {
+  return std::clamp((opens - kPadEdge) / (kPadFace - kPadEdge), 0.0, 1.0);
+}
 
 /// [m²] Of a pad that is touched.
 double find_covered(const Tool& tool, const Pressed& pressed) noexcept;

@@ -171,6 +171,15 @@ void turn_toward(double goal, double dt, ToolState& tool) noexcept {
   tool.jaw_wanted += std::clamp(goal - tool.jaw_wanted, -most, most);
 }
 
+/// [N] By which each jaw holds, the mean of both: what presses where tissue sticks.
+double measure_grip(const ToolState& tool) noexcept {
+  double sum = 0.0;
+  for (int k = 0; k < tool.anchor_count; ++k) {
+    sum += tool.anchors[static_cast<std::size_t>(k)].pressed;
+  }
+  return 0.5 * sum;
+}
+
 /// The force comes down to what just carries the load F, 2 mu N = F, and from there with less in
 /// every tick: what slips then is no more than a tick's part of it.
 void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
@@ -178,7 +187,7 @@ void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
   const int slips = std::max(1, static_cast<int>(std::round(kReleaseTime / dt)));
   if (state.release_ticks == 0) {
     const double least = held.held_load / (2.0 * tool.friction);
-    const double part = std::min(1.0, least / std::max(held.pinch, kNoLoad));
+    const double part = std::min(1.0, least / std::max(measure_grip(held), kNoLoad));
     state.release_ticks = slips + static_cast<int>(std::round((1.0 - part) * kEaseTime / dt));
     state.release_load = held.grip_limit * part;
     held.felt_before = state.last_force;
