@@ -94,8 +94,8 @@ FOLDS = {
     "wrapped": ((-0.0366, -0.0079, -0.0505), 0.012),
     "torn": ((-0.0333, -0.0191, -0.0499), 0.018),
 }
-"""[m] Near the antrum, and how deep: where tissue folded around an opened jaw and held it with 4.6 N
-by friction, and where it collapsed under one."""
+"""[m] Near the antrum, and how deep: where tissue folded around an opened jaw and held it with
+4.6 N by friction, and where it collapsed under one."""
 
 
 @pytest.mark.landing
