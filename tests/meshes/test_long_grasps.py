@@ -23,10 +23,10 @@ FRAMES = (
     *((1.2, 0.006, 1), (2.2, 0.006, 1), (2.25, 0.006, 0), (2.5, 0.015, 0)),
 )
 """[s] in a cycle, [m] over the surface at rest, and the button."""
-OTHERWISE = {"gallbladder_grasp": 0.35, "stomach_two_graspers": 0.2}
+OTHERWISE = {"gallbladder_grasp": 0.15, "stomach_two_graspers": 0.2}
 """[-] by which a later grasp of the same place may pull otherwise than the first: the second one
-pulls 32 % more on the gallbladder and 14 % on the stomach, where 2 % was the goal
-(core/CONTACT.md)."""
+pulls 4 % less on the gallbladder, the third 10 %, and the second 13 % less on the stomach's antrum,
+where 2 % was the goal (core/CONTACT.md)."""
 HELD = slice(1900, 2200)
 """Ticks of a cycle in which nothing moves."""
 AT_REST = 0.5
