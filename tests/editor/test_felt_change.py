@@ -31,10 +31,10 @@ from palpate_editor.verbs.decimate import describe_decimate
 SOLIDS = ("kidney", "liver", "spleen")
 MOST_CHANGE, MOST_AT_A_PLACE = 0.04, 0.1
 """[-] Of the felt force: at all places together, and at one."""
-POINTS, MOST_AT_A_POINT = 25, {"kidney": 0.1, "liver": 0.1, "spleen": 0.2}
-"""[-] The same at a single point of so many drawn; what is known of more stands in DECISIONS.md."""
-MOST_BEYOND = {"kidney": 0, "liver": 0, "spleen": 5}
-"""Of those points, at which it is more than MOST_AT_A_PLACE."""
+FEW = 25, {"kidney": (0.08, 0), "liver": (0.09, 0), "spleen": (0.18, 4)}
+MANY = 100, {"kidney": (0.15, 1), "liver": (0.2, 1), "spleen": (1.25, 13)}
+"""Single points drawn, the most that is changed at one [-], and at how many it is more than
+MOST_AT_A_PLACE: what a halved spleen is, and not what is asked of one (DECISIONS.md)."""
 
 
 def make_springs(vertices: int = 600) -> Organ:
@@ -110,7 +110,7 @@ def test_a_shipped_solid_of_half_as_many_vertices_is_felt_alike(name):
     assert abs(change.mean) < MOST_CHANGE
 
 
-def draw_points(organ: Organ, half: Organ) -> list[Place]:
+def draw_points(organ: Organ, half: Organ, count: int) -> list[Place]:
     """Points drawn evenly from the surface, away from what is held on either."""
     random = np.random.default_rng(0)
     surface = organ.surface
@@ -118,7 +118,7 @@ def draw_points(organ: Organ, half: Organ) -> list[Place]:
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     area = np.linalg.norm(across, axis=1)
     drawn: list[Place] = []
-    while len(drawn) < POINTS:
+    while len(drawn) < count:
         triangle = random.choice(len(area), p=area / area.sum())
         low, high = np.sort(random.random(2))
         point = np.array([low, high - low, 1.0 - high]) @ corners[triangle]
@@ -127,21 +127,33 @@ def draw_points(organ: Organ, half: Organ) -> list[Place]:
     return drawn
 
 
-@pytest.mark.landing
-@pytest.mark.parametrize("name", SOLIDS)
-def test_at_most_single_points_a_halved_solid_is_felt_alike(name):
-    """A spleen of 300 vertices has triangles of 14 mm, and is not felt alike at all of them."""
+def require_points_alike(name: str, count: int, bounds: dict[str, tuple[float, int]]) -> None:
     organ = make_shipped(name)
     half = DecimateTo(organ.vertex_count // 2, features=True)(organ)
     scenes = [compile_organ(each) for each in (organ, half)]
 
-    places = draw_points(organ, half)
+    places = draw_points(organ, half, count)
     moved = [Place(find_place(scenes[1], p.point).point, p.outward) for p in places]
     before, after = (np.array(press(s, p)) for s, p in zip(scenes, (places, moved), strict=True))
 
-    change = np.abs(after / before - 1.0)
-    assert change.max() < MOST_AT_A_POINT[name]
-    assert (change > MOST_AT_A_PLACE).sum() <= MOST_BEYOND[name]
+    change, (most, beyond) = np.abs(after / before - 1.0), bounds[name]
+    print(name, count, np.sqrt((change**2).mean()), change.max(), (change > MOST_AT_A_PLACE).sum())
+    assert change.max() < most
+    assert (change > MOST_AT_A_PLACE).sum() <= beyond
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("name", SOLIDS)
+def test_at_most_single_points_a_halved_solid_is_felt_alike(name):
+    """A spleen of 300 vertices has triangles of 14 mm, and is not felt alike at all of them."""
+    require_points_alike(name, *FEW)
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", SOLIDS)
+def test_of_many_single_points_some_are_felt_otherwise_on_a_halved_solid(name):
+    """Most of all where a border is so thin that the ball bends it away."""
+    require_points_alike(name, *MANY)
 
 
 def test_a_place_is_a_spot_with_the_mean_of_its_points():
