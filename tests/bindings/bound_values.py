@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 
 import palpate
 import palpate._sim
+from stones import make_stone_scene
 from surfaces import chain, organ_scene, sheet
 
 SOLID = palpate.SolidMesh([(0, 0, 0), (0.01, 0, 0), (0, 0.01, 0), (0, 0, 0.01)], [(0, 1, 2, 3)])
@@ -149,6 +150,7 @@ MADE: dict[str, Callable[[], object]] = {
     ),
     "Snapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot(),
     "BodySnapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot().bodies[0],
+    "RigidSnapshot": lambda: palpate.Loop(make_stone_scene(), device()).snapshot().rigid[0],
     "InstrumentSnapshot": lambda: palpate.Loop(organ_scene(1), device()).snapshot().instruments[0],
     "DeviceReport": lambda: palpate.Loop(organ_scene(1), device()).report().devices[0],
     "LoopReport": lambda: palpate.Loop(organ_scene(1), device()).report(),
