@@ -118,14 +118,15 @@ bool is_at_limit(const Coupling& coupling, const Vec3& to_hand) noexcept {
 }
 
 /// [N/m] By which the pull of the hand's spring answers to the tool's way. One that is at its limit
-/// pulls no less from nearer: along the sum of the contacts only what it turns by is left, so that
-/// a tool that has come too deep is put where its contacts bear that pull in a step or two, not
-/// pushed there against a spring that there is none of. Across it is left as it is: steps come out
-/// short there.
-Mat3 find_pull_slope(const Coupling& coupling, const Vec3& to_hand, const Vec3& contact) noexcept {
+/// pulls no less from nearer: of a tool that is too deep, `residual` [N] along the sum of the
+/// contacts, only what it turns by is left there, so that it is put where its contacts bear that
+/// pull in a step or two, not pushed there against a spring that there is none of. Across, and
+/// inwards, it is left as it is: steps come out short there.
+Mat3 find_pull_slope(const Coupling& coupling, const Vec3& to_hand, const Vec3& contact,
+                     const Vec3& residual) noexcept {
   const Mat3 whole = coupling.stiffness * Mat3::Identity();
   const double distance = to_hand.norm(), force = contact.norm();
-  if (!is_at_limit(coupling, to_hand) || !(force > 0.0)) return whole;
+  if (!is_at_limit(coupling, to_hand) || !(residual.dot(contact) > 0.0)) return whole;
   const Vec3 n = contact / force, u = to_hand / distance;
   const double turned = coupling.force_max / distance * (1.0 - n.dot(u) * n.dot(u));
   return whole - (coupling.stiffness - turned) * (n * n.transpose());
@@ -143,7 +144,8 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
     return to_hand.norm() <= most ? hand : Vec3(p + limit(to_hand, most));
   }
   const Vec3 residual = limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force;
-  const Mat3 jacobian = find_pull_slope(coupling, to_hand, touch.contact) + touch.stiffness;
+  const Mat3 jacobian =
+      find_pull_slope(coupling, to_hand, touch.contact, residual) + touch.stiffness;
   const bool rubs = around.shape.tool.friction > 0.0 && !touch.contact.isZero(0.0);
   const Vec3 whole =
       rubs ? find_friction_step({residual - touch.contact, touch.contact,
