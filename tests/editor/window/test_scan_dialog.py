@@ -166,7 +166,6 @@ def test_of_several_series_the_largest_is_shown_and_another_can_be_chosen(
     assert row.isVisible() and row.list.count() == 2
     assert row.uid() == uids["abdomen"] and dialog.scan.size[2] > 4
     assert row.list.currentText().startswith("abdomen: ")
-    rest(qtbot, window)
     folder = checkout / "build" / "screenshots"
     folder.mkdir(parents=True, exist_ok=True)
     assert dialog.grab().save(str(folder / "editor_series.png"))
