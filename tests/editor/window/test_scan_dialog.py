@@ -11,7 +11,7 @@ import pytest
 from hands import child, click
 from palpate_editor.scan import Choice, find_chosen
 from palpate_editor.views.scan.outlines import cut_surface, outline
-from patience import rest, settle
+from patience import settle
 from PySide6.QtCore import Qt
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
