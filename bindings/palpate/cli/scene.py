@@ -18,7 +18,7 @@ from palpate.files.file_kind import LAYOUT, PUBLISHED
 from palpate.files.refusal import Refusal
 from palpate.layout import document
 from palpate.layout.check import check, describe_pair
-from palpate.layout.document import History, Layout, LayoutError, PlacedScenery, PlacedStone
+from palpate.layout.document import History, Layout, LayoutError, Placed
 from palpate.layout.layout_file import read_layout, write_layout
 from palpate.layout.publish import make_scenario
 from palpate.layout.stone import FEWEST, MOST
@@ -164,46 +164,36 @@ def write(call: argparse.Namespace, history: History) -> Report:
 
 
 def describe_layout(layout: Layout) -> Report:
-    bodies = [
-        {
-            "name": body.name,
-            "file": body.file,
-            "position_m": list(body.position),
-            "rotation_rad": list(body.rotation),
-            "may_fold": body.may_fold,
-        }
-        for body in layout.bodies
-    ]
     pairs = [[pair.first, pair.second] for pair in layout.pairs]
+    bodies = [{**describe_placed(each), "may_fold": each.may_fold} for each in layout.bodies]
+    stones = [
+        {
+            **describe_placed(each),
+            "density_kg_per_m3": each.density,
+            "friction": each.friction,
+            "spheres": each.spheres,
+        }
+        for each in layout.stones
+    ]
+    scenery = [
+        {**describe_placed(each), "friction": each.friction, "stops": list(each.stops)}
+        for each in layout.scenery
+    ]
     return {
         "title": layout.title,
         "bodies": bodies,
         "pairs": pairs,
-        "stones": [describe_stone(each) for each in layout.stones],
-        "scenery": [describe_scenery(each) for each in layout.scenery],
+        "stones": stones,
+        "scenery": scenery,
     }
 
 
-def describe_stone(stone: PlacedStone) -> Report:
+def describe_placed(part: Placed) -> Report:
     return {
-        "name": stone.name,
-        "file": stone.file,
-        "position_m": list(stone.position),
-        "rotation_rad": list(stone.rotation),
-        "density_kg_per_m3": stone.density,
-        "friction": stone.friction,
-        "spheres": stone.spheres,
-    }
-
-
-def describe_scenery(scenery: PlacedScenery) -> Report:
-    return {
-        "name": scenery.name,
-        "file": scenery.file,
-        "position_m": list(scenery.position),
-        "rotation_rad": list(scenery.rotation),
-        "friction": scenery.friction,
-        "stops": list(scenery.stops),
+        "name": part.name,
+        "file": part.file,
+        "position_m": list(part.position),
+        "rotation_rad": list(part.rotation),
     }
 
 

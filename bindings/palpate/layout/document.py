@@ -18,39 +18,41 @@ MOST_STEPS = 100
 
 
 @dataclass(frozen=True)
-class PlacedBody:
-    """A published organ, and where it stands."""
+class Placed:
+    """A file, and where what it holds stands."""
 
     name: str
     """In this layout; each is another."""
     file: str
-    """Path of the .palpate, relative to the layout."""
+    """Path relative to the layout: of a body's .palpate, else of a mesh."""
     sha256: str
     """Of that file, when it was added."""
     position: tuple[float, ...] = (0.0, 0.0, 0.0)
-    """[m] of the organ's own origin."""
+    """[m] of the file's own origin."""
     rotation: tuple[float, ...] = (0.0, 0.0, 0.0)
     """[rad] rotation vector about that origin."""
+
+
+@dataclass(frozen=True)
+class PlacedBody(Placed):
+    """A published organ."""
+
     may_fold: bool = False
     """Whether parts of its surface may touch others of it."""
 
 
 @dataclass(frozen=True)
-class PlacedStone:
-    """A closed mesh that moves and keeps its shape, and where it is at the start."""
+class PlacedMesh(Placed):
+    """What keeps its shape."""
 
-    name: str
-    """In this layout, among bodies and scenery too."""
-    file: str
-    """Path of the mesh, relative to the layout."""
-    sha256: str
-    """Of that file, when it was added."""
     scale: float = 1.0
     """[m] of a unit of the mesh."""
-    position: tuple[float, ...] = (0.0, 0.0, 0.0)
-    """[m] of the mesh's own origin."""
-    rotation: tuple[float, ...] = (0.0, 0.0, 0.0)
-    """[rad] rotation vector about that origin."""
+
+
+@dataclass(frozen=True)
+class PlacedStone(PlacedMesh):
+    """A closed mesh that moves; placed where it is at the start."""
+
     density: float = 2000.0
     """[kg/m³] of all of it: its mass and inertia follow."""
     friction: float = 0.3
@@ -60,26 +62,13 @@ class PlacedStone:
 
 
 @dataclass(frozen=True)
-class PlacedScenery:
+class PlacedScenery(PlacedMesh):
     """A mesh that never moves."""
 
-    name: str
-    file: str
-    sha256: str
-    """As those of a stone."""
-    scale: float = 1.0
-    """[m] of a unit of the mesh."""
-    position: tuple[float, ...] = (0.0, 0.0, 0.0)
-    """[m] of the mesh's own origin."""
-    rotation: tuple[float, ...] = (0.0, 0.0, 0.0)
-    """[rad] rotation vector about that origin."""
     friction: float = 0.0
     """[-] of the bodies that stop at it."""
     stops: tuple[str, ...] = ()
     """Names of these bodies; others pass through it. Instruments and stones never do."""
-
-
-Placed = PlacedBody | PlacedStone | PlacedScenery
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 import palpate
 from palpate.files.refusal import Refusal
-from palpate.layout.document import Layout, PlacedScenery, PlacedStone
+from palpate.layout.document import Layout, PlacedMesh, PlacedScenery, PlacedStone
 from palpate.layout.placed import move_points
 from palpate.layout.stone import Hull, fit_hull, measure_mass
 from palpate.scene.mesh_file import read_mesh_file
@@ -32,7 +32,7 @@ class Stone:
     """[m] the longest side of the mesh."""
 
 
-def read_part_mesh(path: Path, part: PlacedStone | PlacedScenery) -> palpate.SurfaceMesh:
+def read_part_mesh(path: Path, part: PlacedMesh) -> palpate.SurfaceMesh:
     """[m] The mesh of a part of the layout at `path`, in its own frame. Raises Refusal or OSError,
     for a file that has changed as well."""
     file = path.parent / part.file
@@ -45,9 +45,7 @@ def read_part_mesh(path: Path, part: PlacedStone | PlacedScenery) -> palpate.Sur
     return scale_mesh(file, mesh, part)
 
 
-def scale_mesh(
-    file: Path, mesh: palpate.SurfaceMesh, part: PlacedStone | PlacedScenery
-) -> palpate.SurfaceMesh:
+def scale_mesh(file: Path, mesh: palpate.SurfaceMesh, part: PlacedMesh) -> palpate.SurfaceMesh:
     """[m] Refused where it is open, for a stone, or far too long."""
     x = part.scale * np.asarray(mesh.vertices)
     length = float(np.ptp(x, axis=0).max())

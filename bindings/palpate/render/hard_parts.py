@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 import palpate
 from palpate.render.instrument import DrawnPart, find_rotation
 from palpate.render.part import Appearance
-from palpate.render.shapes import Shape
+from palpate.render.shapes import Shape, sharpen
 
 CREASE = math.radians(40.0)
-"""[rad] Triangles that meet at more than this have an edge between them, as those of a box have."""
+"""[rad] Of an edge: stones have meshes as coarse as a ball of 42 vertices."""
 BESIDE, NEAR = 1.5, 2.5
 """[-] Of the organs' radius, from their middle."""
 STONE = Appearance(
@@ -46,6 +46,11 @@ def build_rigid(scene: palpate.Scene) -> list[DrawnPart]:
     return [DrawnPart(build_shape(body.mesh), STONE) for body in scene.rigid]
 
 
+def build_shape(mesh: palpate.SurfaceMesh) -> Shape:
+    """A mesh that is smooth but for its edges."""
+    return sharpen(np.asarray(mesh.vertices), np.asarray(mesh.triangles), CREASE)
+
+
 def place_rigid(drawn: Sequence[DrawnPart], poses: Sequence[Pose]) -> list[DrawnPart]:
     """[m] Rigid bodies where they are."""
     return [
@@ -72,36 +77,3 @@ def choose_framed(
         far = np.linalg.norm(points - np.asarray(middle), axis=1)
         framed.append(points if far.max() <= NEAR * radius else points[far <= BESIDE * radius])
     return np.concatenate(framed)
-
-
-def build_shape(mesh: palpate.SurfaceMesh) -> Shape:
-    """A mesh that is smooth but for its creases: every corner of a triangle has a vertex of its
-    own, with the mean normal, by area, of those triangles around it that bend by less."""
-    x, triangles = np.asarray(mesh.vertices), np.asarray(mesh.triangles)
-    a, b, c = (x[triangles[:, k]] for k in range(3))
-    area = np.cross(b - a, c - a)
-    facing = area / np.linalg.norm(area, axis=1, keepdims=True)
-    corner, other = pair_corners(triangles.ravel(), len(x))
-    own, beside = corner // 3, other // 3
-    smooth = np.einsum("ij,ij->i", facing[own], facing[beside]) >= math.cos(CREASE)
-    normals = np.zeros((triangles.size, 3))
-    np.add.at(normals, corner[smooth], area[beside[smooth]])
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    return Shape(
-        x[triangles.ravel()].astype(np.float32),
-        normals.astype(np.float32),
-        np.arange(triangles.size, dtype=np.uint32).reshape(-1, 3),
-    )
-
-
-def pair_corners(
-    vertex: NDArray[np.int32], count: int
-) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Each corner of a triangle with each that is at the same of `count` vertices, itself too."""
-    by_vertex = np.argsort(vertex, kind="stable")
-    times = np.bincount(vertex, minlength=count)
-    first = np.concatenate([[0], np.cumsum(times)[:-1]])
-    around = times[vertex]
-    corner = np.repeat(np.arange(len(vertex)), around)
-    number = np.arange(len(corner)) - np.repeat(np.cumsum(around) - around, around)
-    return corner, by_vertex[first[vertex[corner]] + number]

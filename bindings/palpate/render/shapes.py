@@ -11,6 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 SEGMENTS = 64
 """Around an axis: smooth at any size a picture has."""
+SHARP = math.radians(35.0)
+"""[rad] Between two triangles: a larger angle is drawn as an edge, unless another is asked for."""
+ROUND = 1e-4
+"""[-] Normals that differ by less are one."""
 ARROW_HEAD = 2.3
 """Radius of an arrow's head in radii of its shaft."""
 
@@ -117,3 +121,40 @@ def as_point(value: ArrayLike, name: str) -> NDArray[np.float64]:
 def require_positive(value: float, name: str) -> None:
     if not (math.isfinite(value) and value > 0.0):
         raise ValueError(f"{name} must be positive, got {value!r}")
+
+
+def sharpen(x: NDArray[np.float64], triangles: NDArray[np.integer], sharp: float = SHARP) -> Shape:
+    """Normals that are smooth where a surface is round, and not across its edges.
+
+    A corner's normal is the mean, by area, of the triangles round its vertex that are turned by
+    less than `sharp` [rad] from its own.
+    """
+    a, b, c = (x[triangles[:, k]] for k in range(3))
+    area = np.cross(b - a, c - a)
+    unit = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-30)
+    vertex = triangles.ravel()
+    corner, other = pair_corners(vertex, len(x))
+    alike = np.einsum("ij,ij->i", unit[corner // 3], unit[other // 3]) > math.cos(sharp)
+    normals = np.zeros((len(vertex), 3))
+    np.add.at(normals, corner[alike], area[other[alike] // 3])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+    rows = np.column_stack([vertex, np.round(normals / ROUND)])
+    _, first, inverse = np.unique(rows, axis=0, return_index=True, return_inverse=True)
+    return Shape(
+        x[vertex[first]].astype(np.float32),
+        normals[first].astype(np.float32),
+        inverse.reshape(-1, 3).astype(np.uint32),
+    )
+
+
+def pair_corners(
+    vertex: NDArray[np.integer], count: int
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Each corner of a triangle with each that is at the same of `count` vertices, itself too."""
+    by_vertex = np.argsort(vertex, kind="stable")
+    times = np.bincount(vertex, minlength=count)
+    first = np.concatenate([[0], np.cumsum(times)[:-1]])
+    around = times[vertex]
+    corner = np.repeat(np.arange(len(vertex)), around)
+    number = np.arange(len(corner)) - np.repeat(np.cumsum(around) - around, around)
+    return corner, by_vertex[first[vertex[corner]] + number]
