@@ -3,15 +3,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "palpate/sim/tick/private/rigid_motion.h"
 
 /// Rigid bodies.
 namespace palpate::scenes {
 
+/// Four triangles of each, the new vertices on the unit sphere: of 42 vertices 162, of those 642.
+inline SurfaceMesh refine_sphere(const SurfaceMesh& coarse) {
+  SurfaceMesh mesh;
+  mesh.vertices = coarse.vertices;
+  std::map<std::pair<int, int>, int> middles;
+  const auto middle = [&](int a, int b) {
+    const auto [found, is_new] =
+        middles.try_emplace(std::minmax(a, b), static_cast<int>(mesh.vertices.size()));
+    const auto at = [&](int v) { return coarse.vertices[static_cast<std::size_t>(v)]; };
+    if (is_new) mesh.vertices.push_back((at(a) + at(b)).normalized());
+    return found->second;
+  };
+  for (const auto& [a, b, c] : coarse.triangles) {
+    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    for (const Triangle& t :
+         {Triangle{a, ab, ca}, Triangle{b, bc, ab}, Triangle{c, ca, bc}, Triangle{ab, bc, ca}}) {
+      mesh.triangles.push_back(t);
+    }
+  }
+  return mesh;
+}
+
 /// A stone of `length` [m], its other sides 9/11 and 8/11 of that, of 2000 kg/m³: an ellipsoid as
-/// a mesh and by fourteen spheres that lie in it and touch its surface.
-inline RigidBody make_stone(double length) {
+/// a mesh of 42 vertices, or more where it is refined, and by fourteen spheres that lie in it and
+/// touch its surface.
+inline RigidBody make_stone(double length, int refined = 0) {
   const Vec3 half = 0.5 * length * Vec3(1.0, 9.0 / 11.0, 8.0 / 11.0);
   RigidBody stone;
   const double r = 0.45 * half.z();
@@ -28,6 +53,7 @@ inline RigidBody make_stone(double length) {
   }
   const double ball[] = {1.0};
   stone.mesh = build_sphere_mesh(Vec3Array{Vec3::Zero()}, ball);
+  for (int i = 0; i < refined; ++i) stone.mesh = refine_sphere(stone.mesh);
   for (Vec3& v : stone.mesh.vertices) v = v.cwiseProduct(half);
   stone.mass = 2000.0 * compute_rigid_volume(stone);
   const Vec3 square = half.cwiseProduct(half);

@@ -15,8 +15,6 @@ ROUGH = 0.15
 """[-] Of a stone's length: a hull that lies deeper in the mesh is seen to."""
 AT_REST, FAR, FALLEN = 0.01, 1e-3, 0.1
 """[m/s] of what lies still, [m] of what has moved, and of what has fallen."""
-MOST_HELD = 200
-"""Vertices of a stone that jaws hold [contact: rigid]."""
 NUMBERED = re.compile(r"\b(body |scenery |bodies\[|rigid\[|scenery\[)(\d+)(\]?)")
 """A part of a scene by its number, as the core's sentences have it."""
 
@@ -32,13 +30,6 @@ def note_hard_parts(layout: Layout, assembly: Assembly) -> list[Problem]:
                         f"its hull of {placed.spheres} spheres lies up to {1e3 * deep:.2f} mm in "
                         f"it, expected at most {1e3 * ROUGH * stone.length:.2f} mm: more spheres, "
                         "or a rounder mesh")
-            )  # fmt: skip
-        count = len(stone.body.mesh.vertices)
-        if count > MOST_HELD:
-            problems.append(
-                Problem(WARNING, placed.name,
-                        f"its mesh has {count} vertices, expected at most {MOST_HELD}: every "
-                        "triangle is hard by itself, and jaws squeeze a finer mesh out")
             )  # fmt: skip
     for scenery in layout.scenery:
         if not scenery.stops and layout.bodies:

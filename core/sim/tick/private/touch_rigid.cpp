@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/sim/grasp/private/jaws.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/rigid_touch.h"
 #include "palpate/sim/tick/private/touch_hard.h"
@@ -78,18 +79,33 @@ void list_spheres(const AabbTree& tree, std::span<const Vec3> x, const RigidView
   }
 }
 
+/// [N/m] Of the triangles that an instrument pushed, where it begins to.
+double find_pushing_stiffness(const Tool& tool, const HardPair& pair) noexcept {
+  double area = 0.0;
+  for (const Push& push : pair.load.pushes()) area += pair.areas[at(push.triangle)];
+  return tool.stiffness * area;
+}
+
 /// What an instrument does to a mesh has no mass and no damping of its own: what a body does within
 /// a tick beyond the motion that it began it with is damped, as critically as other contacts.
-void damp_under_instruments(std::size_t r, int pushes, const RigidView& body,
-                            World& world) noexcept {
+void damp_under_instruments(std::size_t r, double k, const RigidView& body, World& world) noexcept {
   const RigidState& began = workspace(world).rigid.kept_states[r];
   const MovedMass& moved = body.moved.moved;
-  const double k = pushes * body.fixed.contact_stiffness;
   const double rate = std::min(0.6 * std::sqrt(k / moved.mass), 0.5 / body.dt);  // [1/s]
   const Quaternion& turn = body.state.orientation;
   const Vec3 spin = turn.conjugate() * Vec3(body.state.angular_velocity - began.angular_velocity);
   body.moved.wrench.force -= rate * moved.mass * (body.state.velocity - began.velocity);
   body.moved.wrench.torque -= rate * (turn * spin.cwiseProduct(moved.inertia));
+}
+
+/// What sticks to jaws is as stiff along a stone as the stone is across: pads press it where it is
+/// round, which tips it out of springs softer than what they press with over its radius.
+void stiffen_anchors(std::size_t surface, const HardPair& pair, const Tool& tool,
+                     ToolState& state) noexcept {
+  for (ToolState::Anchor& anchor : std::span(state.anchors).first(at(state.anchor_count))) {
+    if (at(anchor.body) != surface) continue;
+    anchor.stiffness = kBristle * tool.stiffness * pair.areas[at(anchor.triangle)];
+  }
 }
 
 /// What the instruments have pushed its mesh with.
@@ -99,9 +115,14 @@ void take_instruments(const Scene& scene, std::size_t r, const RigidView& body,
   const std::size_t h = scene.scenery.size() + r;
   const HardSurface& mesh = work.hard[h];
   int pushes = 0;
+  double k = 0.0;
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     if (!world.instruments[i].tool.placed) continue;
-    for (const Push& push : work.hard_pairs[i * work.hard.size() + h].load.pushes()) {
+    const HardPair& pair = work.hard_pairs[i * work.hard.size() + h];
+    const Tool& tool = scene.instruments[i].tool;
+    k += find_pushing_stiffness(tool, pair);
+    stiffen_anchors(world.bodies.size() + h, pair, tool, world.instruments[i].tool);
+    for (const Push& push : pair.load.pushes()) {
       const Triangle& corners = mesh.tree.triangles()[at(push.triangle)];
       body.moved.wrench.add(compute_point(corners, push.weights, mesh.x), push.force,
                             body.state.position);
@@ -110,20 +131,22 @@ void take_instruments(const Scene& scene, std::size_t r, const RigidView& body,
     }
   }
   body.moved.contacts += pushes;
-  if (pushes > 0) damp_under_instruments(r, pushes, body, world);
+  if (pushes > 0) damp_under_instruments(r, k, body, world);
 }
 
 /// [N/m] No less than what instruments that are near it make of it.
 double bound_instruments(const Scene& scene, std::size_t r, World& world) noexcept {
   TickBuffers& work = workspace(world);
   const std::size_t h = scene.scenery.size() + r;
-  double count = 0.0;
+  const double least = 4.0 * scene.rigid[r].contact_stiffness;
+  double k = 0.0;
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     const HardPair& pair = work.hard_pairs[i * work.hard.size() + h];
     const int near = pair.candidates[0].count + pair.candidates[1].count;
-    if (near > 0) count += kUnderInstruments * std::max(4, pair.load.push_count);
+    if (near == 0) continue;
+    k += std::max(least, find_pushing_stiffness(scene.instruments[i].tool, pair));
   }
-  return count * scene.rigid[r].contact_stiffness;
+  return kUnderInstruments * k;
 }
 
 MovedBody make_moved(const RigidBody& body) {
