@@ -48,8 +48,9 @@ class Phase(enum.Enum):
 
 class TraineeWindow(QWidget):
     """Plays a scenario. Space pauses, R starts again, T folds the task, F shows the force as an
-    arrow or not, F11 fills the screen, Esc opens the menu, Enter and the button of the device take
-    what a board offers, and C clears the fault of a device that has cut its motors.
+    arrow or not, V changes between the room and what a laparoscope sees, F11 fills the screen, Esc
+    opens the menu, Enter and the button of the device take what a board offers, and C clears the
+    fault of a device that has cut its motors.
     """
 
     closed = Signal()

@@ -17,6 +17,7 @@ from palpate.render.instrument_shade import InstrumentShade, build_shade
 from palpate.render.part import Appearance, Part, Pattern, build_appearance
 from palpate.render.picture import Picture, draw_picture, save_picture, write_png
 from palpate.render.renderer import Renderer, Tile
+from palpate.render.scope_camera import ScopeCamera, has_camera, place_scope
 from palpate.render.shapes import Shape, build_arrow, build_capsule, build_sphere
 
 __all__ = [
@@ -31,6 +32,7 @@ __all__ = [
     "Picture",
     "RenderError",
     "Renderer",
+    "ScopeCamera",
     "Shape",
     "Tile",
     "build_arrow",
@@ -44,8 +46,10 @@ __all__ = [
     "describe_gl",
     "draw_force_plot",
     "draw_picture",
+    "has_camera",
     "open_context",
     "place_instrument",
+    "place_scope",
     "save_force_plot",
     "save_picture",
     "write_png",

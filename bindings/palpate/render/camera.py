@@ -37,6 +37,8 @@ class Camera:
     """[m] (3,)"""
     field_of_view: float = math.radians(28.0)
     """[rad] of the picture's height."""
+    headlight: float = 0.0
+    """[m] At which a lamp beside the eye lights as brightly as those of the studio; 0 for those."""
 
     def basis(self) -> tuple[Array, Array, Array]:
         """Unit vectors to the right, up, and forward, away from the eye."""
@@ -50,6 +52,12 @@ class Camera:
     def eye(self) -> Array:
         """[m] (3,)"""
         return np.asarray(self.target, dtype=float) - self.distance * self.basis()[2]
+
+    def describe(self) -> tuple[float, ...]:
+        """All that says what is seen."""
+        x, y, z = (float(part) for part in self.target)
+        angles = (self.azimuth, self.elevation, self.field_of_view)
+        return (*angles, self.distance, self.headlight, x, y, z)
 
     def view(self) -> Array:
         """World to eye, (4, 4): x right, y up, -z forward."""

@@ -19,7 +19,7 @@ SHAFT = 0.25
 """[m] of a probe's shaft that is drawn: instruments for the abdomen are a little longer."""
 SHAFT_PART = 0.8
 """[-] Of the radius: what is drawn only is thinner than what touches."""
-WIDE = 4e-3
+WIDE = 3.2e-3
 """[m] A shaft of this radius or more is drawn as a laparoscope, a thinner one as a probe."""
 INSULATED: Colour = (0.36, 0.39, 0.44)
 PORT: Colour = (0.30, 0.52, 0.66)

@@ -28,6 +28,20 @@ class MeshPart:
 
 
 @dataclass(frozen=True)
+class Optics:
+    """Of a rigid laparoscope: 30 degrees off its shaft, in the frame of a tool, from the tip of the
+    mesh."""
+
+    at: tuple[float, float, float] = (0.0, 0.0, 2.9e-3)
+    """[m] Of the lens."""
+    axis: tuple[float, float, float] = (0.0, 0.5, -0.8660254037844386)
+    up: tuple[float, float, float] = (0.0, -0.8660254037844386, -0.5)
+    """Unit vectors, where it looks and what it shows above."""
+    field_of_view: float = 1.22
+    """[rad]"""
+
+
+@dataclass(frozen=True)
 class InstrumentMesh:
     """What stands in `instruments`, and how it lies against what touches (meshes/tools.toml)."""
 
@@ -40,6 +54,7 @@ class InstrumentMesh:
     """[m] From the tip of the mesh to the axis of its jaws."""
     jaw_radius: float = 0.0
     """[m] Of the capsules that stand for its jaws."""
+    optics: Optics | None = None
 
 
 MESHES = {
@@ -54,7 +69,9 @@ MESHES = {
         hinge=22.5e-3,
         jaw_radius=1.2e-3,
     ),
-    "laparoscope": InstrumentMesh((MeshPart("laparoscope_shaft"),), radius=5e-3, tip=8.8e-3),
+    "laparoscope": InstrumentMesh(
+        (MeshPart("laparoscope_shaft"),), radius=5e-3, tip=8.8e-3, optics=Optics()
+    ),
 }
 
 

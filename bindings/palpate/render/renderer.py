@@ -110,14 +110,19 @@ class Renderer:
             screen.use()
         tile = tile or Tile(0, 0, *size)
         screen.viewport = (0, 0, tile.width, tile.height)
-        screen.clear(*self.theme.corner, 1.0)
-        self._draw_backdrop(size, tile)
+        studio = camera.headlight <= 0.0
+        if studio:
+            screen.clear(*self.theme.corner, 1.0)
+            self._draw_backdrop(size, tile)
+        else:  # what the lamp beside the eye does not reach is dark
+            screen.clear(0.0, 0.0, 0.0, 1.0)
         near, far = camera.depths(self._centre, self._radius)
         seen = camera.projection(size[0] / size[1], near, far) @ camera.view()
         world_to_clip = cut(size, tile) @ seen
-        if self.ground is not None and camera.elevation > 0.0:
+        if self.ground is not None and studio and camera.elevation > 0.0:
             self.ground.draw(self.theme, world_to_clip)
-        shaded = self.shadow_softness > 0.0
+        # a lamp beside the eye casts its shadows where the eye does not look
+        shaded = self.shadow_softness > 0.0 and studio
         for patterned in {has_pattern(part.appearance) for part in self.parts}:
             program = self._choose_surface(shaded, patterned)
             self._light(program, camera, world_to_clip, shaded)
@@ -125,7 +130,7 @@ class Renderer:
 
     def cast_shadows(self, camera: Camera) -> None:
         """Finds what lies in the shade, if there is any; leaves its own framebuffer in use."""
-        if self.shadow_softness > 0.0:
+        if self.shadow_softness > 0.0 and camera.headlight <= 0.0:
             self._shadow.draw(self.parts, self._centre, self._radius, lamp(camera, KEY))
 
     def release(self) -> None:
@@ -182,6 +187,7 @@ class Renderer:
         program["eye"].value = tuple(camera.eye())
         for name, direction in (("to_key", KEY), ("to_fill", FILL), ("to_rim", RIM)):
             program[name].value = tuple(lamp(camera, direction))
+        program["headlight"].value = camera.headlight
         program["ambient"].value = self.theme.ambient
         program["value_range"].value = self._range
         program["highlight"].value = decode(SELECTED)

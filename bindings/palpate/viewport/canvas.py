@@ -95,6 +95,7 @@ class Canvas:
         self.is_software = any(word in name for word in SOFTWARE)
         self._targets: dict[str, Target] = {}
         self._key: object = None
+        self._inset_key: object = None
         self._tiles: list[Tile] | None = None
         self._is_fine = False
         self._tile_size, self._slowest = 1, 0.0
@@ -107,7 +108,7 @@ class Canvas:
 
         False, at no cost, where nothing has changed since the last one.
         """
-        key = (scenery.version, describe(camera), size)
+        key = (scenery.version, camera.describe(), size)
         if key == self._key:
             return False
         self._key, self._tiles, self._is_fine = key, None, not self.is_software
@@ -130,7 +131,7 @@ class Canvas:
 
     def refine(self, scenery: Scenery, camera: Camera, size: Size, ratio: float) -> bool:
         """Draws the next tile of the fine frame of what was drawn last; False once it is whole."""
-        if self._is_fine or self._key != (scenery.version, describe(camera), size):
+        if self._is_fine or self._key != (scenery.version, camera.describe(), size):
             return False
         begun = time.perf_counter()
         renderer = scenery.prepare(SHADOW_SOFTNESS, WIRE_WIDTH * ratio)
@@ -155,6 +156,26 @@ class Canvas:
             self._choose_tile_size()
         return not self._is_fine
 
+    def draw_inset(
+        self, scenery: Scenery, camera: Camera, size: Size, ratio: float
+    ) -> NDArray[np.uint8] | None:
+        """A second, small picture of what draw() drew, without shadows: (h, w, 4), the top row
+        first. None, at no cost, where nothing has changed since the last one."""
+        key = (scenery.version, camera.describe(), size)
+        if key == self._inset_key:
+            return None
+        self._inset_key = key
+        target = self._use("inset", size, SAMPLES)
+        renderer = scenery.prepare(0.0, WIRE_WIDTH * ratio)
+        target.drawn.use()
+        renderer.draw(camera, size)
+        target.resolve()
+        pixels = np.empty((size[1], size[0], 4), np.uint8)
+        screen = self._use("inset screen", size, 0)
+        self._stretch(target.texture, screen.frame, (0, 0, *size), upside_down=True)
+        screen.frame.read_into(pixels, components=4, alignment=1)
+        return pixels
+
     def paste(self, target: moderngl.Framebuffer, size: Size) -> None:
         """Shows the best frame there is in a framebuffer of `size` pixels."""
         self._stretch(self._best().texture, target, (0, 0, *size))
@@ -170,7 +191,7 @@ class Canvas:
         for thing in (*self._targets.values(), self._copy, self._program):
             thing.release()
         self._targets.clear()
-        self._key = None
+        self._key = self._inset_key = None
 
     def _expect(self, scenery: Scenery) -> None:
         """A new surface of many triangles may take long, so its first frame is drawn small."""
@@ -220,10 +241,3 @@ class Canvas:
         self._program["frame"].value = 0
         self._program["upside_down"].value = upside_down
         self._copy.render(moderngl.TRIANGLES, vertices=3)
-
-
-def describe(camera: Camera) -> tuple[float, ...]:
-    """All that says what a camera sees."""
-    x, y, z = (float(part) for part in camera.target)
-    angles = (camera.azimuth, camera.elevation, camera.field_of_view)
-    return (*angles, camera.distance, x, y, z)

@@ -168,12 +168,12 @@ class PointerHand(QObject):
             self._post(event)
             return True
         if self.means.leans and keys & Qt.KeyboardModifier.AltModifier:
-            self._sway(LEAN * notches, view.camera.basis()[0])
+            self._sway(LEAN * notches, view.seen_from.basis()[0])
             self._post(event)
             return True
         if self.grip is Grip.holding:
             # away from the viewer or nearer: what is held need not move along its normal
-            self._go_freely(self._goal + view.camera.basis()[2] * (self._notch * notches))
+            self._go_freely(self._goal + view.seen_from.basis()[2] * (self._notch * notches))
         elif self.grip is Grip.hovering and view.pick(event.position()) is None:
             return False
         else:
@@ -229,7 +229,7 @@ class PointerHand(QObject):
 
     def _meet(self, view: ViewBase, at: QPointF, point: Array) -> Array:
         """[m] Under the pointer, in the plane through a point that is parallel to the screen."""
-        return meet_plane(*view.ray_at(at), point, view.camera.basis()[2])
+        return meet_plane(*view.ray_at(at), point, view.seen_from.basis()[2])
 
     def _go_over(self, hit: palpate.SurfacePoint) -> None:
         self._goal, self._path = np.array(hit.point), palpate.PointerPath.along

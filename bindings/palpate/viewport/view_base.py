@@ -23,6 +23,7 @@ from palpate.viewport.hud import Hud
 from palpate.viewport.instruments import Instruments, SeenInstrument
 from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.scenery import ARROW_RADIUS, Scenery
+from palpate.viewport.scope_inset import ScopeInset
 from palpate.viewport.view_events import ViewEvents
 
 Array = NDArray[np.float64]
@@ -54,6 +55,7 @@ class ViewBase(ViewEvents):
         self.listen()
         self.force_scale = 0.01
         self.legend, self.hud, self.hint = LegendBar(self), Hud(self), HintLine(self)
+        self.scope = ScopeInset(self)
         self._force: tuple[Array, Array] | None = None
         self._shows_force = True
         self._framed = True
@@ -129,7 +131,15 @@ class ViewBase(ViewEvents):
     def show_instruments(self, seen: Sequence[SeenInstrument]) -> None:
         """The instruments as they are held, with shadow, ring and glow; none takes them away."""
         self.instruments.show(seen)
+        self.scope.follow(seen)
         self.update()
+
+    def change_scope(self) -> bool:
+        """What the large picture and the inset are of, where there is a laparoscope; False where
+        there is none."""
+        changed = self.scope.change()
+        self.update()
+        return changed
 
     def show_hard_parts(self, scene: palpate.Scene) -> None:
         """Rigid bodies and scenery of a scene; before its surface, with which they are framed."""
@@ -190,6 +200,7 @@ class ViewBase(ViewEvents):
         self.legend.use_theme(self.scenery.theme)
         self.hud.use_theme(self.scenery.theme)
         self.hint.use_theme(self.scenery.theme)
+        self.scope.use_theme(self.scenery.theme)
         self.update()
 
     def grab_picture(self) -> QImage:
@@ -209,7 +220,7 @@ class ViewBase(ViewEvents):
         """A processor that draws has had its share: what moves by itself should drop this frame."""
         return self._pause.isActive()
 
-    # ------------------------------------------------------------ camera
+    # ------------------------------------------------------------ camera: not that of an instrument
 
     def frame_all(self) -> None:
         """Comes as near as it can with all of the surface in sight."""
@@ -234,18 +245,24 @@ class ViewBase(ViewEvents):
 
     def orbit(self, x: float, y: float) -> None:
         """Turns by a drag of (x, y) pixels."""
+        if self.seen_from is not self.camera:
+            return
         navigation.turn(self.camera, x, y)
         self._framed = False
         self.update()
 
     def pan(self, x: float, y: float) -> None:
         """Moves by a drag of (x, y) pixels."""
+        if self.seen_from is not self.camera:
+            return
         self.camera.pan(x, y, self._size())
         self._framed = False
         self.update()
 
     def zoom(self, factor: float, at: QPointF | None = None) -> None:
         """Comes nearer by a factor, to what lies at a pixel or to the middle."""
+        if self.seen_from is not self.camera:
+            return
         where = QPointF(self.width() / 2, self.height() / 2) if at is None else at
         origin, direction = self.ray_at(where)
         hit = self.scenery.pick(origin, direction)
@@ -258,21 +275,26 @@ class ViewBase(ViewEvents):
 
     # ------------------------------------------------------------ where things are
 
+    @property
+    def seen_from(self) -> Camera:
+        """What the large picture is seen from: `camera`, which a mouse turns, or a laparoscope."""
+        return self.scope.choose(self.camera)[0]
+
     def ray_at(self, at: QPointF) -> tuple[Array, Array]:
         """The eye [m] and the unit direction through a pixel."""
-        return self.camera.ray(at.x(), at.y(), self._size())
+        return self.seen_from.ray(at.x(), at.y(), self._size())
 
     def pick(self, at: QPointF) -> palpate.SurfacePoint | None:
         """The point of the surface under a pixel, if its outer side is seen there."""
         return self.scenery.pick(*self.ray_at(at))
 
     def world_to_pixel(self, point: ArrayLike) -> QPointF:
-        pixels, _ = self.camera.project(point, self._size())
+        pixels, _ = self.seen_from.project(point, self._size())
         return QPointF(*pixels[0])
 
     def pixel_size_at(self, point: ArrayLike) -> float:
         """[m] that a pixel covers at the depth of a point [m]."""
-        return navigation.measure_pixel(self.camera, point, self._size()[1])
+        return navigation.measure_pixel(self.seen_from, point, self._size()[1])
 
     # ------------------------------------------------------------ for the hosts
 
@@ -283,7 +305,7 @@ class ViewBase(ViewEvents):
 
     def shot(self) -> tuple[Scenery, Camera, tuple[int, int], float]:
         """What a canvas wants to know of a frame."""
-        return self.scenery, self.camera, self.pixels(), self.devicePixelRatioF()
+        return self.scenery, self.seen_from, self.pixels(), self.devicePixelRatioF()
 
     def in_context(self) -> AbstractContextManager[None]:
         """Makes the view's OpenGL context current, where it is not always so."""
@@ -294,6 +316,7 @@ class ViewBase(ViewEvents):
         self._place_arrow()
         self.instruments.shade(self.pixel_size_at(self.scenery.centre))
         drawn = canvas.draw(*self.shot())
+        self._draw_inset(canvas)
         if drawn and canvas.is_software:
             self._rest.start(REST_MS)
             if canvas.pause > 0.0:
@@ -301,6 +324,16 @@ class ViewBase(ViewEvents):
         if not self.scenery.is_lit and not self._light.isActive():
             self._light.start()
         return drawn
+
+    def _draw_inset(self, canvas: Canvas) -> None:
+        """The other picture, where there are two."""
+        camera, ratio = self.scope.choose(self.camera)[1], self.devicePixelRatioF()
+        if camera is None:
+            return
+        side = max(1, round(self.scope.width() * ratio))
+        pixels = canvas.draw_inset(self.scenery, camera, (side, side), ratio)
+        if pixels is not None:
+            self.scope.take(pixels)
 
     def _place_arrow(self) -> None:
         """Where it is in sight, for the camera as it stands now."""
@@ -310,9 +343,9 @@ class ViewBase(ViewEvents):
         size = self._size()
         left, top, right, bottom = navigation.find_frame(size, self._margins)
         frame = left + ARROW_EDGE, top + ARROW_EDGE, right - ARROW_EDGE, bottom - ARROW_EDGE
-        tail, point = keep_in_sight(self.camera, size, frame, *self._force)
+        tail, point = keep_in_sight(self.seen_from, size, frame, *self._force)
         usual = ARROW_RADIUS * 2 * self.scenery.radius
-        self.scenery.show_force(tail, point, choose_radius(self.camera, size[1], tail, usual))
+        self.scenery.show_force(tail, point, choose_radius(self.seen_from, size[1], tail, usual))
 
     def refined(self) -> None:
         """The fine frame is whole."""
@@ -350,6 +383,7 @@ class ViewBase(ViewEvents):
         left, _, right, bottom = self._margins
         self.legend.move(QPoint(EDGE, EDGE))
         self.hud.place(QPoint(self.width() - right - EDGE, EDGE))
+        self.scope.place(EDGE, self.height() - bottom - EDGE, self.height())
         middle = (left + self.width() - right) / 2
         self.hint.place(middle, self.height() - EDGE - bottom, self.width() - left - right - EDGE)
 

@@ -22,6 +22,10 @@ class ViewEvents:
     tool: ViewTool[Self] | None
     """Gets mouse and keys before the camera does."""
 
+    def change_scope(self) -> bool:
+        """What V does, where there is a laparoscope; False where there is none."""
+        raise NotImplementedError
+
     def listen(self) -> None:
         """From now on events come in."""
         self.tool = None
@@ -72,5 +76,8 @@ class ViewEvents:
         return bool(super().focusNextPrevChild(next))  # type: ignore[misc]
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.tool is None or not self.tool.key(self, event):
+        if self.tool is not None and self.tool.key(self, event):
+            return
+        plain = event.key() == Qt.Key.Key_V and not event.modifiers() and not event.isAutoRepeat()
+        if not (plain and self.change_scope()):
             super().keyPressEvent(event)  # type: ignore[misc]

@@ -707,6 +707,14 @@
         <translation>aleti eğ</translation>
     </message>
     <message>
+        <source>Laparoscope</source>
+        <translation>Laparoskop</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Oda</translation>
+    </message>
+    <message>
         <source>Tab</source>
         <translation>Sekme</translation>
     </message>

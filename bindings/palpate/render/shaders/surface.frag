@@ -17,6 +17,7 @@ uniform vec3 to_key;          // unit vectors towards the three lamps, which mov
 uniform vec3 to_fill;
 uniform vec3 to_rim;
 uniform float ambient;        // light from all around, of the theme
+uniform float headlight;      // [m] at which a lamp at the eye is as bright as the key; 0 for none
 
 uniform sampler2D colours;    // 256 by 1, linear light, like the colours below
 uniform vec2 value_range;
@@ -250,28 +251,40 @@ void main() {
   vec2 passed = tissue ? pass_instruments(n) : vec2(1.0, 0.0);
   shade *= passed.x;
 #endif
+  // a lamp at the eye in place of the three: by the inverse square, as far as a camera's own
+  // exposure does not make up for it
+  vec3 to_lamp = to_key;
+  float beam = 1.0, around = 1.0;
+  if (headlight > 0.0) {
+    float near = headlight / distance(eye, fragment.position);
+    to_lamp = v;
+    beam = min(near * near, 1.1);
+    around = 0.12 * beam;
+    shade = 1.0;
+  }
   // red light travels farthest through tissue, so its edge of the shade lies farthest round
   vec3 wrap = subsurface * vec3(1.0, 0.45, 0.35);
-  vec3 key = max((vec3(dot(n, to_key)) + wrap) / (1.0 + wrap), 0.0) * mix(0.12, 1.0, shade);
+  vec3 key = max((vec3(dot(n, to_lamp)) + wrap) / (1.0 + wrap), 0.0) * mix(0.12, 1.0, shade);
   float fill = max(0.5 + 0.5 * dot(n, to_fill), 0.0);
   float graze = 1.0 - clamp(dot(n, v), 0.0, 1.0);
   float edge = graze * graze * graze;
   float rim = edge * max(0.25 + 0.75 * dot(n, to_rim), 0.0);
 
-  vec3 light = 1.1 * KEY * key * mix(0.6, 1.0, open);
-  light += 0.16 * FILL * fill * fill * open;
-  light += ambient * mix(FLOOR, SKY, 0.5 + 0.5 * n.z) * open;
+  vec3 light = beam * 1.1 * KEY * key * mix(0.6, 1.0, open);
+  light += around * 0.16 * FILL * fill * fill * open;
+  light += around * ambient * mix(FLOOR, SKY, 0.5 + 0.5 * n.z) * open;
 #if INSTRUMENTS
   // what is so near to the surface keeps light from all around from it as well
-  light *= mix(0.62, 1.0, passed.x);
+  light *= headlight > 0.0 ? 1.0 : mix(0.62, 1.0, passed.x);
 #endif
   vec3 c = albedo * light;
 
-  float mirror = max(dot(n, normalize(to_key + v)), 0.0);
+  float mirror = max(dot(n, normalize(to_lamp + v)), 0.0);
   float sharp = pow(mirror, 90.0 * sharpness), broad = pow(mirror, 14.0 * sharpness);
   float window = pow(max(dot(n, normalize(to_fill + v)), 0.0), 50.0);
-  c += gloss * shade * KEY * (0.30 * sharp + 0.085 * broad) + gloss * 0.06 * FILL * window * open;
-  c += RIM * rim * open * (0.10 + 0.35 * albedo) * 1.3;
+  c += beam * gloss * shade * KEY * (0.30 * sharp + 0.085 * broad);
+  c += around * gloss * 0.06 * FILL * window * open;
+  c += (headlight > 0.0 ? 0.0 : 1.0) * RIM * rim * open * (0.10 + 0.35 * albedo) * 1.3;
 
 #if INSTRUMENTS
   if (tissue) c = draw_rings(c + passed.y * GLOW * (0.35 + 0.65 * albedo));
