@@ -3,8 +3,8 @@
 
     verified.py PART --seconds N [--results XML ... | --fuzz LOG | --soak JSON] [--failed]
 
-PART is what was run: sweeps, asan, tsan, clang, plain, wheels, soak or `fuzz READER`. Other rows
-stay as they are, so parts may be run one by one, each on a commit of its own.
+PART is what was run: `sweeps PLACE`, asan, tsan, clang, plain, wheels, soak or `fuzz READER`. Other
+rows stay as they are, so parts may be run one by one, each on a commit of its own.
 """
 
 from __future__ import annotations
@@ -22,8 +22,13 @@ from summarise import Outcome, read_results
 
 PAGE = Path(__file__).with_name("VERIFIED.md")
 READERS = ("read_scenario", "organ", "record", "script", "scene_file", "device", "host", "law")
-PARTS = ("sweeps", "asan", "tsan", "clang", "plain", "wheels", "soak")
-ORDER = (*PARTS, *(f"fuzz {reader}" for reader in READERS))
+PLACES = ("core", "meshes", "bindings", "editor", "other")
+PARTS = ("asan", "tsan", "clang", "plain", "wheels", "soak")
+ORDER = (
+    *(f"sweeps {place}" for place in PLACES),
+    *PARTS,
+    *(f"fuzz {reader}" for reader in READERS),
+)
 HEAD = "| part | commit | date (UTC) | seconds | what ran | coverage | failures |"
 ROW = re.compile(r"^\| ([a-z_ ]+) \| (.*) \| (.*) \| (.*) \| (.*) \| (.*) \| (.*) \|$")
 
