@@ -3,17 +3,20 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import palpate
 import pytest
 from palpate.cli.main import main
+from palpate.files.refusal import Refusal
 from palpate.layout.document import PlacedStone
 from palpate.layout.gaps import Surface
 from palpate.layout.hard_parts import build_stone
-from palpate.layout.layout_file import read_layout
+from palpate.layout.layout_file import ADDED, read_layout
 from palpate.layout.stone import FEWEST, MOST, fit_hull, measure_mass
 from scipy.spatial.transform import Rotation
 from stones import make_table
@@ -148,17 +151,83 @@ def test_a_stone_of_a_fine_mesh_is_nothing_to_tell_of(layout, tmp_path, capsys):
     assert say(capsys, "check", layout, "--quick")["problems"] == []
 
 
+def test_a_scene_is_in_a_fluid_and_touched_by_a_tool_that_its_layout_says(layout, tmp_path, capsys):
+    out = tmp_path / "stone.palpate"
+    told = say(capsys, "tool", layout, "--radius", "1.2mm", "--length", "10mm",
+               "--grip-force", "3N", "--trocar", "0,0,150")  # fmt: skip
+    assert told["tools"][0]["jaw_opening"] == 0.52  # as usual of a grasper
+    assert read_layout(layout).now.tools[0].trocar == (0.0, 0.0, 0.15)
+
+    say(capsys, "publish", layout, "-o", out, "--fluid", "1000,0.001")
+
+    scene = palpate.scenario.read(out).scene
+    assert (scene.fluid.density, scene.fluid.viscosity) == (1000.0, 0.001)
+    (instrument,) = scene.instruments
+    assert (instrument.tool.radius, instrument.tool.jaws.grip) == (0.0012, 3.0)
+    np.testing.assert_array_equal(instrument.trocar, (0.0, 0.0, 0.15))
+    assert say(capsys, "tool", layout, "--remove")["tools"] == []
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("tool", "--radius", "1m"), "--radius: got 1, expected 1e-05 to 0.2"),
+        (("tool", "--kind", "ball", "--trocar", "0,0,9"), "--trocar: got one for a ball"),
+        (("check", "--fluid", "water"), "--fluid: got 'water', expected DENSITY,VISCOSITY"),
+        (("check", "--fluid=-1,0"), "--fluid: got '-1,0', expected DENSITY,VISCOSITY"),
+    ],
+)
+def test_a_tool_or_a_fluid_that_cannot_be_is_refused(layout, capsys, words, said):
+    with contextlib.suppress(SystemExit):
+        assert main(["scene", words[0], str(layout), *words[1:]]) == 2
+    assert said in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "said"),
+    [
+        ("fluid", [1000.0], "fluid: got 1 numbers, expected 2, or none"),
+        ("tools", 2, "tools: got 2, expected one, or none"),
+        ("kind", "spoon", "tools[0].kind: got 'spoon', expected one of"),
+        ("trocar", [0.0], "tools[0].trocar: got 1 numbers, expected 3, or none"),
+    ],
+)
+def test_a_layout_file_with_a_tool_that_cannot_be_is_refused(layout, capsys, name, value, said):
+    say(capsys, "tool", layout)
+    made = json.loads(layout.read_text(encoding="utf-8"))
+    now = made["now"]
+    if name == "tools":
+        now["tools"] *= value
+    else:
+        (now if name == "fluid" else now["tools"][0])[name] = value
+    layout.write_text(json.dumps(made), encoding="utf-8")
+
+    with pytest.raises(Refusal, match=re.escape(said)):
+        read_layout(layout)
+
+
+def test_a_layout_of_version_2_is_read(layout):
+    made = json.loads(layout.read_text(encoding="utf-8"))
+    made["version"] = 2
+    for each in (made["now"], *made["before"], *made["undone"]):
+        del each["fluid"], each["tools"]
+    layout.write_text(json.dumps(made), encoding="utf-8")
+
+    assert len(read_layout(layout).now.stones) == 1
+
+
 def test_a_layout_of_before_there_were_stones_is_read(layout, capsys):
     made = json.loads(layout.read_text(encoding="utf-8"))
     made["version"] = 1
     for each in (made["now"], *made["before"], *made["undone"]):
-        del each["stones"], each["scenery"], each["gravity"]
+        for name in ADDED[1]:
+            del each[name]
     layout.write_text(json.dumps(made), encoding="utf-8")
 
     assert read_layout(layout).now.stones == ()
     told = say(capsys, "place", layout, "organ", "--by", "0,0,1")
     assert (told["code"], told["stones"], told["scenery"]) == (0, [], [])
-    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 2
+    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 3
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ from palpate.layout.document import History, Layout, LayoutError, Placed
 from palpate.layout.layout_file import read_layout, write_layout
 from palpate.layout.publish import make_scenario
 from palpate.layout.stone import FEWEST, MOST
+from palpate.scene.instrument_kinds import KINDS as TOOLS
 
 SNAP_GAP = 5e-4
 """[m] The thickest barrier that is chosen."""
@@ -29,6 +30,7 @@ READS = {"new": "write a layout without bodies",
          "add": "place a published organ in it, or a mesh as a stone or as scenery",
          "place": "move, turn, snap, change or remove what is in it",
          "pair": "say which two bodies may touch, or which scenery stops a body",
+         "tool": "say with which instrument it is touched",
          "undo": "take back the last change", "redo": "make it again",
          "check": "list overlaps, costs and all that is wrong",
          "publish": "write what `palpate press` and `palpate play` run"}  # fmt: skip
@@ -54,6 +56,10 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
             "--gravity", type=read_three, metavar="X,Y,Z",
             help="[m/s²]; default: as the first organ has it, which is none of most",
         )  # fmt: skip
+        made[name].add_argument(
+            "--fluid", type=read_two, metavar="DENSITY,VISCOSITY",
+            help="[kg/m³], [Pa s] that stones are in, 1000,0.001 for water that irrigates (none)",
+        )  # fmt: skip
     made["add"].add_argument(
         "organ", type=Path, metavar="FILE",
         help="published organ of one body, .palpate; of a stone or scenery its mesh, .obj",
@@ -66,6 +72,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
         add_hard(made[name])
     add_more(made["place"])
     add_pair(made["pair"])
+    add_tool(made["tool"])
     made["check"].add_argument(
         "--quick", action="store_true", help="press nothing, measure nothing"
     )
@@ -122,6 +129,32 @@ def add_pair(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--remove", action="store_true", help="they pass through each other")
 
 
+def add_tool(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--kind", choices=TOOLS, default="grasper", help="(grasper)")
+    parser.add_argument("--radius", type=quantity("m"), help="default: as usual of its kind")
+    parser.add_argument("--length", type=quantity("m"), help="of shaft or jaws, likewise")
+    parser.add_argument("--jaw-opening", type=float, metavar="RAD", help="of each jaw, likewise")
+    parser.add_argument("--friction", type=float, help="[-] likewise")
+    parser.add_argument("--grip-force", type=quantity("N"), help="of each jaw at its middle (5N)")
+    parser.add_argument(
+        "--trocar", type=read_three, metavar="X,Y,Z",
+        help="[mm] where its shaft passes the wall; without one the device turns it",
+    )  # fmt: skip
+    parser.add_argument("--remove", action="store_true", help="that of the first organ again")
+
+
+def read_two(text: str) -> tuple[float, float]:
+    try:
+        density, viscosity = (float(part) for part in text.split(","))
+    except ValueError:
+        density = viscosity = math.nan
+    if not (0.0 <= density <= 2e4 and 0.0 <= viscosity <= 10.0):
+        raise argparse.ArgumentTypeError(
+            f"got {text!r}, expected DENSITY,VISCOSITY of up to 20000 kg/m³ and 10 Pa s"
+        )
+    return density, viscosity
+
+
 def read_three(text: str) -> tuple[float, float, float]:
     try:
         x, y, z = (float(part) for part in text.split(","))
@@ -147,7 +180,7 @@ def run_scene(call: argparse.Namespace) -> Report:
 
 
 def set_words(layout: Layout, call: argparse.Namespace) -> Layout:
-    names = ("title", "task", "title_tr", "task_tr", "gravity")
+    names = ("title", "task", "title_tr", "task_tr", "gravity", "fluid")
     told = {name: getattr(call, name, None) for name in names}
     return replace(layout, **{name: text for name, text in told.items() if text is not None})
 
@@ -185,6 +218,7 @@ def describe_layout(layout: Layout) -> Report:
         "pairs": pairs,
         "stones": stones,
         "scenery": scenery,
+        "tools": [vars(tool) for tool in layout.tools],
     }
 
 

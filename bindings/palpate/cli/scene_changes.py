@@ -22,6 +22,7 @@ from palpate.layout.document import (
     PlacedBody,
     PlacedScenery,
     PlacedStone,
+    SceneTool,
     TouchingPair,
 )
 from palpate.layout.gaps import Surface
@@ -29,6 +30,7 @@ from palpate.layout.hard_parts import scale_mesh
 from palpate.layout.placed import build_body, find_region, find_surface, read_organ, read_placed
 from palpate.layout.snap import measure_patch, snap
 from palpate.layout.stone import FEWEST, MOST
+from palpate.scene.instrument_kinds import KINDS as TOOLS
 from palpate.scene.mesh_file import read_mesh_file
 from palpate.scene.scene_file import hash_file
 
@@ -39,6 +41,9 @@ UNITS = {"m": 1.0, "mm": 1e-3}
 OF_KIND = {"density": (PlacedStone,), "spheres": (PlacedStone,),
            "friction": (PlacedStone, PlacedScenery)}  # fmt: skip
 """Options that only some of what is placed have."""
+TOOL_RANGES = {"radius": (1e-5, 0.2), "length": (0.0, 0.05), "jaw_opening": (0.0, 1.57),
+               "friction": (0.0, 2.0), "grip_force": (0.001, 100.0)}  # fmt: skip
+"""Of an instrument, as of an assessment's."""
 RANGES = {"density": (1.0, 3e4), "spheres": (FEWEST, MOST), "friction": (0.0, 2.0)}
 
 
@@ -145,8 +150,27 @@ def change_pair(layout: Layout, call: argparse.Namespace) -> Layout:
     return document.set_pair(layout, pair)
 
 
+def change_tool(layout: Layout, call: argparse.Namespace) -> Layout:
+    """Raises LayoutError for numbers out of range."""
+    if call.remove:
+        return replace(layout, tools=())
+    usual = TOOLS[call.kind]
+    said = {name: getattr(call, name) for name in TOOL_RANGES}
+    said = {name: value for name, value in said.items() if value is not None}
+    for name, value in said.items():
+        low, high = TOOL_RANGES[name]
+        if not low <= value <= high:
+            option = name.replace("_", "-")
+            raise LayoutError(f"--{option}: got {value:g}, expected {low:g} to {high:g}")
+    trocar = () if call.trocar is None else tuple(1e-3 * x for x in call.trocar)
+    if trocar and not said.get("length", usual.length) > 0.0:
+        raise LayoutError("--trocar: got one for a ball, expected a shaft (--length)")
+    return replace(layout, tools=(SceneTool(call.kind, **{**vars(usual), **said}, trocar=trocar),))
+
+
 CHANGES: dict[str, Callable[[Layout, argparse.Namespace], Layout]] = {
     "add": change_add,
     "place": change_place,
     "pair": change_pair,
+    "tool": change_tool,
 }

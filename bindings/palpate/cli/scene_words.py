@@ -19,6 +19,7 @@ def describe_scene(report: Report) -> str:
     for scenery in report["scenery"]:
         stops = ", ".join(scenery["stops"]) or "no body"
         lines.append(f"{describe_place(scenery)}; scenery, stops {stops}")
+    lines += map(describe_tool, report["tools"])
     if "problems" not in report:
         lines += [f"  {first} and {second} may touch" for first, second in report["pairs"]]
         lines.append(f"  {report['can_undo']} changes can be undone, {report['can_redo']} redone")
@@ -40,6 +41,12 @@ def describe_hull(told: dict[str, Any]) -> str:
     if "mass_kg" not in told:
         return said
     return f"{said}, {1e3 * told['mass_kg']:.3g} g, hull up to {1e3 * told['hull_gap_m']:.2f} mm in"
+
+
+def describe_tool(told: dict[str, Any]) -> str:
+    at = ", ".join(f"{1e3 * x:.2f}" for x in told["trocar"])
+    through = f", through {at} mm" if at else ""
+    return f"  touched by a {told['kind']} of radius {1e3 * told['radius']:g} mm{through}"
 
 
 def describe_costs(told: dict[str, Any]) -> str:

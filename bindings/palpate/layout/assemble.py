@@ -15,6 +15,8 @@ from palpate.layout.gaps import Surface
 from palpate.layout.hard_parts import Stone, build_scenery, build_stone, read_part_mesh
 from palpate.layout.placed import Organ, build_body, build_instruments, find_surface, read_organs
 from palpate.layout.separate import Neighbour, Separation, separate
+from palpate.scene.scene_file import build_tool
+from palpate.scene.scene_parts import ToolPart
 
 APART = 10.0
 """[m] Between bodies while the barriers of their pairs are chosen, before any is where it stands.
@@ -125,18 +127,39 @@ def separate_bodies(assembly: Assembly) -> list[Separation]:
     return found
 
 
+def build_tools(assembly: Assembly) -> list[palpate.Instrument]:
+    """The layout's, with the hand of the first of those of the first body's organ; without one,
+    all of that organ's."""
+    made = build_instruments(assembly.organs[0], assembly.layout.bodies[0])
+    for said in assembly.layout.tools:
+        first = made[0]
+        part = ToolPart(
+            radius=said.radius,
+            stiffness=first.tool.stiffness,
+            friction=said.friction,
+            length=said.length,
+            jaw_opening=said.jaw_opening,
+            grip_force=said.grip_force,
+        )
+        first.tool = build_tool(part)
+        first.trocar = np.array(said.trocar) if said.trocar else None
+        made = [first]
+    return made
+
+
 def build(assembly: Assembly) -> palpate.Scene:
-    """A scene with the instruments of the first body's organ, and its gravity where the layout has
+    """A scene with the instruments and the gravity of the first body's organ where the layout has
     none. Raises ValueError."""
     first = assembly.organs[0].published.scene
     return palpate.build_scene(
         palpate.Scene(
             bodies=assembly.bodies,
-            instruments=build_instruments(assembly.organs[0], assembly.layout.bodies[0]),
+            instruments=build_tools(assembly),
             body_pairs=assembly.pairs,
             rigid=[stone.body for stone in assembly.stones],
             scenery=assembly.scenery,
             gravity=assembly.layout.gravity or first.gravity,
+            fluid=palpate.Fluid(*assembly.layout.fluid),
             rate=first.rate,
             exchange_rate=first.exchange_rate,
         )

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-FORMAT, VERSION = "palpate layout", 2
+FORMAT, VERSION = "palpate layout", 3
 MOST_STEPS = 100
 """Changes that can be undone; older ones are forgotten."""
 
@@ -86,6 +86,26 @@ class TouchingPair:
 
 
 @dataclass(frozen=True)
+class SceneTool:
+    """An instrument in place of that of the first body's organ."""
+
+    kind: str
+    """Of palpate.scene.instrument_kinds, whose numbers these are where nothing else is said."""
+    radius: float
+    """[m]"""
+    length: float
+    """[m] of the shaft that touches, or of the jaws; 0: a ball."""
+    jaw_opening: float
+    """[rad] of each jaw; 0: what touches is rigid."""
+    friction: float
+    """[-]"""
+    grip_force: float = 5.0
+    """[N] with which each jaw closes at most, at its middle."""
+    trocar: tuple[float, ...] = ()
+    """[m] (3,) where its shaft passes the wall. None: the device turns it."""
+
+
+@dataclass(frozen=True)
 class Layout:
     """What a designer decided about a scene of several organs."""
 
@@ -99,6 +119,10 @@ class Layout:
     scenery: tuple[PlacedScenery, ...] = ()
     gravity: tuple[float, ...] = ()
     """[m/s²] (3,) None: that of the first body's organ."""
+    fluid: tuple[float, ...] = ()
+    """[kg/m³], [Pa s] (2,) What the stones are in: 1000, 0.001 of water. None: nothing."""
+    tools: tuple[SceneTool, ...] = ()
+    """One, or none: that of the first body's organ."""
 
     @property
     def parts(self) -> tuple[Placed, ...]:

@@ -13,36 +13,43 @@ from palpate.files.json_part import read_part
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.layout.document import FORMAT, VERSION, History, Layout
+from palpate.scene.instrument_kinds import KINDS
 
 MOST_BYTES = 16 * 2**20
-HARD = ("stones", "scenery", "gravity")
-"""What a layout of version 1 had not."""
+ADDED = {1: ("stones", "scenery", "gravity", "fluid", "tools"), 2: ("fluid", "tools")}
+"""What a layout of an older version had not."""
 
 
 def read_layout(path: Path) -> History:
     """Raises Refusal or OSError."""
     data = read_document(
-        path, format=FORMAT, version=VERSION, what="a layout", most_bytes=MOST_BYTES, older=(1,)
-    )
+        path,
+        format=FORMAT,
+        version=VERSION,
+        what="a layout",
+        most_bytes=MOST_BYTES,
+        older=tuple(ADDED),
+    )  # fmt: skip
     section = {key: value for key, value in data.items() if key not in ("format", "version")}
-    if data["version"] == 1:
-        section = {key: add_hard_parts(path, value) for key, value in section.items()}
+    if data["version"] in ADDED:
+        version = int(data["version"])
+        section = {key: add_missing(path, value, version) for key, value in section.items()}
     history: History = read_part(path, "layout", History, section, whole=True)
     for layout in (history.now, *history.before, *history.undone):
         require_sound(path, layout)
     return history
 
 
-def add_hard_parts(path: Path, value: Any) -> Any:
-    """A layout, or a list of them, of version 1 as one of version 2. Raises Refusal."""
+def add_missing(path: Path, value: Any, version: int) -> Any:
+    """A layout, or a list of them, of an older version as one of today's. Raises Refusal."""
     if isinstance(value, list):
-        return [add_hard_parts(path, each) for each in value]
+        return [add_missing(path, each, version) for each in value]
     if not isinstance(value, dict):
         return value  # refused by the reader
-    for name in HARD:
+    for name in ADDED[version]:
         if name in value:
-            raise Refusal(path, name, "some in a layout of version 1", "none")
-    return {**value, **dict.fromkeys(HARD, [])}
+            raise Refusal(path, name, f"some in a layout of version {version}", "none")
+    return {**value, **dict.fromkeys(ADDED[version], [])}
 
 
 def require_sound(path: Path, layout: Layout) -> None:
@@ -58,6 +65,15 @@ def require_sound(path: Path, layout: Layout) -> None:
                 raise Refusal(path, f"{where}.{field}", f"{count} numbers", "3")
     if len(layout.gravity) not in (0, 3):
         raise Refusal(path, "gravity", f"{len(layout.gravity)} numbers", "3, or none")
+    if len(layout.fluid) not in (0, 2):
+        raise Refusal(path, "fluid", f"{len(layout.fluid)} numbers", "2, or none")
+    if len(layout.tools) > 1:
+        raise Refusal(path, "tools", f"{len(layout.tools)}", "one, or none")
+    for tool in layout.tools:
+        if tool.kind not in KINDS:
+            raise Refusal(path, "tools[0].kind", repr(tool.kind), f"one of {', '.join(KINDS)}")
+        if len(tool.trocar) not in (0, 3):
+            raise Refusal(path, "tools[0].trocar", f"{len(tool.trocar)} numbers", "3, or none")
     bodies = {body.name for body in layout.bodies}
     known: list[set[str]] = []
     for index, pair in enumerate(layout.pairs):
