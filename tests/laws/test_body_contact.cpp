@@ -29,7 +29,7 @@ Pushed push(const Layers& layers, double radius, double depth, const BodyPair& p
 
 }  // namespace
 
-TEST_CASE("two layers that a ball pushes down keep apart, whatever the ball's size") {
+TEST_CASE("S1: two layers that a ball pushes down keep apart, whatever the ball's size") {
   for (const double radius : {0.003, 0.008}) {
     CAPTURE(radius);
     const Pushed pushed = push(kLayers, radius, 0.012);
@@ -41,7 +41,7 @@ TEST_CASE("two layers that a ball pushes down keep apart, whatever the ball's si
   }
 }
 
-TEST_CASE("layers of which one is ten times as stiff keep apart, whichever it is" *
+TEST_CASE("S1: layers of which one is ten times as stiff keep apart, whichever it is" *
           doctest::test_suite("landing")) {
   for (const double lower : {5e3, 5e4}) {
     CAPTURE(lower);
@@ -56,14 +56,14 @@ TEST_CASE("layers of which one is ten times as stiff keep apart, whichever it is
 }
 
 TEST_CASE("a barrier that is too soft is pushed through, as is foretold") {
-  // it holds 9 k_A tau before the floor and 10 k_A (tau - g) beyond: 0.2 mm of 4e4 N/m³ hold 72 Pa
-  // at the floor and 80 on the surface, a fiftieth of what the ball presses with
+  // it holds 9 k_A tau at the floor and 19 k_A tau on the surface: 0.2 mm of 4e4 N/m³ hold 72 Pa
+  // and 152, a thirtieth of what the ball presses with
   const Pushed pushed = push(kLayers, 0.003, 0.012, {.thickness = 2e-4, .stiffness = 4e4});
   CHECK(pushed.least_gap < 0.0);
   CHECK(pushed.inside > 0);
 }
 
-TEST_CASE("a body that is flicked against another at 1 m/s does not come through") {
+TEST_CASE("S5: a body that is flicked against another at 1 m/s does not come through") {
   Scene cubes;
   cubes.bodies.resize(2);
   for (std::size_t b = 0; b < 2; ++b) {
@@ -123,7 +123,7 @@ Vec3 fold_over(double t, double radius) {
 
 }  // namespace
 
-TEST_CASE("a strip that is folded over comes to lie on itself, and not in itself") {
+TEST_CASE("S6: a strip that is folded over comes to lie on itself, and not in itself") {
   constexpr double kRadius = 0.003;
   Scene strip;
   SoftBody& body = strip.bodies[0];

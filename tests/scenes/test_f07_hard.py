@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
-from failure_scenes import NONE, TICK
+from failure_scenes import NONE, TICK, make_block
 from test_f06_layers import make_layer
 
 HALF = 2.5e-3
@@ -94,6 +94,24 @@ def test_a_body_that_begins_in_scenery_is_refused_with_the_vertex_and_the_depth(
     # a sheet has no inside, but the layer has
     with pytest.raises(ValueError, match=r"got vertex \d+ of the scenery 1 mm inside of body 0"):
         palpate.build_scene(palpate.Scene(bodies=[layer], scenery=[palpate.Scenery(above, [0])]))
+
+
+def test_a_body_that_begins_across_an_open_sheet_is_refused():
+    # nothing is inside of a sheet, and of a large one no vertex is inside of the body
+    corners = [(x, y, 5e-4) for y in (-0.05, 0.05) for x in (-0.05, 0.05)]
+    through = palpate.Scenery(palpate.SurfaceMesh(corners, [(0, 1, 2), (1, 3, 2)]), [0])
+    tissue = palpate.build_solid(
+        make_block((4, 4, 2), (0.06, 0.06, 2.0 * HALF)), palpate.Material()
+    )
+    beside = palpate.Scenery(
+        palpate.SurfaceMesh(np.array(corners) + [0, 0, 2e-3], [(0, 1, 2)]), [0]
+    )
+
+    with pytest.raises(ValueError, match=r"got vertex \d+ of body 0 0.5 mm inside of the scenery"):
+        palpate.build_scene(
+            palpate.Scene(bodies=[palpate.SoftBody(tissue=tissue)], scenery=[through])
+        )
+    palpate.build_scene(palpate.Scene(bodies=[palpate.SoftBody(tissue=tissue)], scenery=[beside]))
 
 
 @pytest.mark.parametrize(

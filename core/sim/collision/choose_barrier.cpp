@@ -2,7 +2,9 @@
 #include "palpate/sim/collision/private/choose_barrier.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/collision/private/nearest.h"
@@ -107,6 +109,30 @@ struct RestSurface {
   bool closed;
 };
 
+/// An edge of a surface, and where another is crossed by it.
+struct Crossing {
+  double depth = 0.0;  ///< [m] that the nearer of its ends is from the other surface
+  int vertex = -1;     ///< that end; none of the edges crosses it
+};
+
+/// Where edges of a surface cross another: of an open one, the only sign of what is in it.
+/// `is_left_out(edge, triangle)` says what may cross.
+template <class LeftOut>
+Crossing find_crossing(const RestSurface& of, const RestSurface& other, LeftOut is_left_out) {
+  Crossing deepest;
+  for (const auto& [first, second] : build_topology(of.triangles).edges) {
+    const Vec3 &a = of.x[static_cast<std::size_t>(first)],
+               &b = of.x[static_cast<std::size_t>(second)];
+    const auto hit = find_segment_hit(other.tree, other.x, a, b);
+    if (!hit || is_left_out(std::array{first, second}, hit->triangle)) continue;
+    const double from_a = find_closest_point(other.tree, other.x, a)->distance;
+    const double from_b = find_closest_point(other.tree, other.x, b)->distance;
+    const double depth = std::min(from_a, from_b);
+    if (depth > deepest.depth) deepest = {depth, from_a < from_b ? first : second};
+  }
+  return deepest;
+}
+
 void check_constants(const std::string& where, const BodyPair& pair) {
   constexpr double kThickest = 5e-3;  // [m]
   if (!(pair.thickness >= 0.0 && pair.thickness <= kThickest)) {
@@ -195,7 +221,18 @@ Nearest find_deepest_at_rest(const TissueModel& tissue, const SurfaceMesh& mesh)
     }
     deepest = {gap, static_cast<int>(v), false};
   }
-  return deepest;
+  if (body.closed && hard.closed) return deepest;
+  const auto holds = [&](std::span<const int> vertices) {
+    return std::ranges::any_of(vertices, is_held);
+  };
+  const Crossing of_body =
+      find_crossing(body, hard, [&](std::span<const int> edge, int) { return holds(edge); });
+  if (of_body.depth > -deepest.gap) deepest = {-of_body.depth, of_body.vertex, true};
+  if (deepest.vertex >= 0) return deepest;
+  const Crossing of_hard = find_crossing(hard, body, [&](std::span<const int>, int triangle) {
+    return holds(tissue.triangles[static_cast<std::size_t>(triangle)]);
+  });
+  return of_hard.vertex < 0 ? deepest : Nearest{-of_hard.depth, of_hard.vertex, false};
 }
 
 double estimate_modulus(const TissueModel& tissue) {

@@ -94,7 +94,7 @@ struct Pressed {
 
 }  // namespace
 
-TEST_CASE("on any path, every vertex within the thickness has its nearest triangle in its list") {
+TEST_CASE("S3: on any path, lists hold all that brute force finds within the thickness") {
   Moved ball(make_ball(3)), other(make_ball(2));
   SurfaceContacts contacts(ball.tissue, other.tissue, false, kBarrier);
   Vec3Array last;
@@ -122,6 +122,15 @@ TEST_CASE("on any path, every vertex within the thickness has its nearest triang
       CAPTURE(i);
       CAPTURE(v);
       REQUIRE(contacts.near_count[v] > 0);
+      const auto listed = std::span<const int>(contacts.listed[v]).first(contacts.listed_count[v]);
+      for (std::size_t t = 0; t < other.tissue.triangles.size(); ++t) {
+        const auto& [a, b, c] = other.tissue.triangles[t];
+        const SurfacePoint nearest = find_closest_on_triangle(
+            ball.x[v], other.x[static_cast<std::size_t>(a)], other.x[static_cast<std::size_t>(b)],
+            other.x[static_cast<std::size_t>(c)]);
+        if (nearest.distance >= kBarrier.thickness) continue;
+        REQUIRE(std::ranges::count(listed, static_cast<int>(t)) == 1);
+      }
       const VertexContact contact =
           find_contact(contacts, static_cast<int>(v), ball.x[v], other.tissue.triangles, other.x,
                        kBarrier.thickness);
@@ -134,7 +143,7 @@ TEST_CASE("on any path, every vertex within the thickness has its nearest triang
   CHECK(looked_at < 400L * static_cast<long>(ball.x.size()) / 4);
 }
 
-TEST_CASE("two surfaces push each other with opposite forces and moments") {
+TEST_CASE("S4: two surfaces push each other with opposite forces and moments") {
   for (const double into : {-2e-4, 2e-5, 3e-4}) {
     CAPTURE(into);
     Pressed pressed(into);

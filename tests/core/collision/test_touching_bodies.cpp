@@ -77,7 +77,7 @@ bool says(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a thrown body hands its momentum to the one it meets, and neither gains energy") {
+TEST_CASE("S4: a thrown body hands its momentum to the one it meets, and neither gains energy") {
   const double tolerance = kernel_under_test() == Kernel::reference ? 1e-12 : 1e-5;
   for (const int substeps : {0, 24}) {
     CAPTURE(substeps);
@@ -206,7 +206,7 @@ TEST_CASE("what a pair cannot be is refused with where, what and why") {
            "a linear solid under its response"));
 }
 
-TEST_CASE("bodies that begin in each other are refused, with how deep they are") {
+TEST_CASE("S7: bodies that begin in each other are refused, with how deep they are") {
   const std::string said = refusal(make_cubes(-0.001));
   CHECK(says(said, "scene: body_pairs[0]: got vertex "));
   CHECK(says(said, " 1 mm inside of body "));

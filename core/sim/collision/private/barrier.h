@@ -13,21 +13,24 @@ struct Barrier {
   double damping = 0.0;    ///< [-] of critical
 };
 
-/// [-] of the thickness. Nearer, the pressure goes on as a line, and approach is stopped.
+/// [-] of the thickness. Nearer, the pressure goes on along its tangent, and approach is stopped.
 inline constexpr double kClosestPart = 0.1;
 
-/// [Pa] p(g) = k_A (tau - g) / max(0.1, g / tau) for a gap g [m] below tau, else 0.
+/// [Pa] p(g) = k_A (tau - g) tau / g for a gap g [m] below tau, else 0; below the floor of a tenth
+/// of tau its tangent there, 9 k_A tau + 100 k_A (0.1 tau - g).
 inline double compute_pressure(const Barrier& barrier, double gap) noexcept {
   if (!(gap < barrier.thickness)) return 0.0;
-  return barrier.stiffness * (barrier.thickness - gap) /
-         std::max(kClosestPart, gap / barrier.thickness);
+  const double above = std::max(gap, kClosestPart * barrier.thickness);
+  const double part = above / barrier.thickness;
+  const double pressure = barrier.stiffness * (barrier.thickness - above) / part;
+  return pressure + barrier.stiffness / (part * part) * (above - gap);
 }
 
-/// [N/m³] -dp/dg: k_A tau²/g², and 10 k_A below the floor.
+/// [N/m³] -dp/dg: k_A tau²/g², and 100 k_A below the floor.
 inline double compute_slope(const Barrier& barrier, double gap) noexcept {
   if (!(gap < barrier.thickness)) return 0.0;
-  const double part = gap / barrier.thickness;
-  return part > kClosestPart ? barrier.stiffness / (part * part) : barrier.stiffness / kClosestPart;
+  const double part = std::max(kClosestPart, gap / barrier.thickness);
+  return barrier.stiffness / (part * part);
 }
 
 /// [J/m²] The integral of p from g to tau.
@@ -37,8 +40,9 @@ inline double compute_barrier_energy(const Barrier& barrier, double gap) noexcep
   const double above = std::max(gap, kClosestPart * tau), depth = tau - above;
   const double energy = barrier.stiffness * tau * (tau * std::log(tau / above) - depth);
   if (gap >= above) return energy;
-  const double deeper = tau - gap;
-  return energy + 0.5 * barrier.stiffness / kClosestPart * (deeper * deeper - depth * depth);
+  const double below = above - gap;
+  return energy +
+         below * (compute_pressure(barrier, above) + 0.5 * compute_slope(barrier, above) * below);
 }
 
 }  // namespace palpate
