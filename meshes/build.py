@@ -13,6 +13,7 @@ import numpy as np
 from palpate.files.whole_file import write_whole
 from palpate.render.instrument_meshes import DRAWN, MESHES
 from palpate_meshes.anatomy import ATTACHMENT, GENERATORS, find_regions, generate
+from palpate_meshes.build_scenes import SCENES, write_scene
 from palpate_meshes.catalogue import (
     CATALOGUE,
     PUBLISHED,
@@ -29,18 +30,24 @@ from palpate_meshes.tools import FOLDER, build_tools
 def main(words: list[str] | None = None) -> int:
     """Builds what is named, or everything; exits 1 where the gate refuses a mesh."""
     parser = argparse.ArgumentParser(prog="palpate_meshes.build", description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="organs; default: all, and tools")
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help="organs and scenes; default: organs and tools"
+    )
     parser.add_argument("--vertices", type=int, help="another resolution, which is not published")
     parser.add_argument("--out", type=Path, help="OBJ of another resolution")
     call = parser.parse_args(words)
-    unknown = [name for name in call.names if name not in GENERATORS]
+    unknown = [name for name in call.names if name not in (*GENERATORS, *SCENES)]
     if unknown:
-        parser.error(f"unknown: {', '.join(unknown)}; there are {', '.join(GENERATORS)}")
+        known = ", ".join((*GENERATORS, *SCENES))
+        parser.error(f"unknown: {', '.join(unknown)}; there are {known}")
     if (call.vertices is None) != (call.out is None) or (call.out and len(call.names) != 1):
         parser.error("--vertices and --out go together, with one NAME")
     if call.out:
         return write_other(call.names[0], call.vertices, call.out)
-    return publish(call.names)
+    for name in (name for name in call.names if name in SCENES):
+        print(f"wrote {write_scene(name)}")
+    organs = [name for name in call.names if name in GENERATORS]
+    return publish(organs) if organs or not call.names else 0
 
 
 def write_other(name: str, vertices: int, out: Path) -> int:
