@@ -15,7 +15,7 @@ from palpate.runs.run import read_scene
 from random_hand import RandomHand
 
 SCENES = Path(palpate_meshes.__file__).parent / "scenes"
-NAMES = ("layered_block", "liver_gallbladder")
+NAMES = ("layered_block", "liver_gallbladder", "liver_gallbladder_peritoneum")
 LOOKED_AT = 500
 """Ticks after which vertices are counted that are in another body."""
 FASTEST = 20.0

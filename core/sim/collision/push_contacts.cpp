@@ -63,9 +63,9 @@ double bound_slope(const SurfaceContacts& contacts, double gap, double area) noe
 }  // namespace
 
 /// f = A (p(g) - c dg/dt) along the normal, never below 0, with c A = 2 zeta sqrt(k_A A m) of the
-/// mass m of the gap. Under a tenth of the thickness an impulse takes away what still closes the
-/// gap, mass-weighted, one contact after the other, so that none takes twice what another has
-/// taken.
+/// mass m of the gap. An impulse takes what would close the gap in this step to under a tenth of
+/// the thickness, mass-weighted, one contact after the other, so that none takes twice what another
+/// has taken.
 ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
                          const TouchingSurface& vertices,
                          const TouchingSurface& triangles) noexcept {
@@ -83,8 +83,10 @@ ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
     if (moving.inverse_mass > 0.0) {
       const double critical = 2.0 * std::sqrt(barrier.stiffness * area / moving.inverse_mass);
       force = std::max(0.0, force - barrier.damping * critical * moving.speed);
-      if (contact.gap < kClosestPart * barrier.thickness && moving.speed < 0.0) {
-        const double impulse = -moving.speed / moving.inverse_mass;
+      const double room = std::max(0.0, contact.gap - kClosestPart * barrier.thickness);
+      const double closing = -moving.speed - room / dt;
+      if (closing > 0.0) {
+        const double impulse = closing / moving.inverse_mass;
         add_impulse(contact, vertex, impulse * contact.normal, vertices, triangles);
         force += impulse / dt;
       }
