@@ -127,6 +127,20 @@ def test_a_run_is_as_small_as_one_asks_for(capsys):
     ]
 
 
+@pytest.mark.landing
+def test_of_a_scene_of_several_organs_the_parts_are_timed_and_no_surface(capsys):
+    scenes = Path(__file__).resolve().parents[2] / "meshes" / "scenes"
+
+    code, report = bench(capsys, "--scene", str(scenes / "liver_gallbladder.palpate"))
+
+    assert (code, report["rows"]) == (0, [])
+    (measured,) = report["scenes"]
+    assert not measured["ended_by_alarm"]
+    parts = [row["part"] for row in measured["parts"]]
+    assert parts[:3] == ["whole tick", "body 0", "body 1"]
+    assert parts[-1] == "body 1 on body 0"
+
+
 @pytest.mark.parametrize(
     ("words", "code", "sentence"),
     [

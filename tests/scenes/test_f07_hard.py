@@ -98,13 +98,13 @@ def test_a_body_that_begins_in_scenery_is_refused_with_the_vertex_and_the_depth(
 
 def test_a_body_that_begins_across_an_open_sheet_is_refused():
     # nothing is inside of a sheet, and of a large one no vertex is inside of the body
-    corners = [(x, y, 5e-4) for y in (-0.05, 0.05) for x in (-0.05, 0.05)]
-    through = palpate.Scenery(palpate.SurfaceMesh(corners, [(0, 1, 2), (1, 3, 2)]), [0])
+    corners = np.array([(x, y, 5e-4) for y in (-0.05, 0.05) for x in (-0.05, 0.05)])
+    through, beside = (
+        palpate.Scenery(palpate.SurfaceMesh(corners + [0, 0, up], [(0, 1, 2), (1, 3, 2)]), [0])
+        for up in (0.0, 2e-3)
+    )
     tissue = palpate.build_solid(
         make_block((4, 4, 2), (0.06, 0.06, 2.0 * HALF)), palpate.Material()
-    )
-    beside = palpate.Scenery(
-        palpate.SurfaceMesh(np.array(corners) + [0, 0, 2e-3], [(0, 1, 2)]), [0]
     )
 
     with pytest.raises(ValueError, match=r"got vertex \d+ of body 0 0.5 mm inside of the scenery"):

@@ -7,6 +7,7 @@ form has the order that suits it best and no ratio comes from a file's numbering
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -71,6 +72,15 @@ def find_published() -> Path:
             "palpate-editor installed, or --mesh FILE",
         ) from None
     return PUBLISHED
+
+
+def is_organ(path: Path) -> bool:
+    """Whether a published file is of one organ, with the constants that its designer chose."""
+    published = palpate.scenario.read(path)
+    try:
+        return "model" in json.loads(published.authored)["content"]
+    except (ValueError, LookupError, TypeError, RecursionError):
+        return len(published.scene.bodies) == 1  # read_published says what is wrong
 
 
 def read_published(path: Path) -> BenchMesh:

@@ -12,6 +12,7 @@ from palpate.bench.meshes import (
     SIZES,
     BenchMesh,
     generate_meshes,
+    is_organ,
     read_published,
     read_shipped,
     read_surface,
@@ -80,7 +81,8 @@ def run_bench(call: argparse.Namespace) -> Report:
 
 def choose_meshes(call: argparse.Namespace, named: bool) -> list[BenchMesh]:
     meshes = read_shipped(call.organ or ()) if call.organ or not named else []
-    meshes += [read_published(path) for path in call.scene or ()]
+    # a scene of several organs, or of layers, has no one surface under both laws
+    meshes += [read_published(path) for path in call.scene or () if is_organ(path)]
     meshes += [read_surface(path) for path in call.mesh or ()]
     sizes = call.vertices or (() if named or call.quick else SIZES)
     return meshes + generate_meshes(sizes)
