@@ -4162,6 +4162,77 @@ class MailboxDevice(HapticDevice):
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 
+class ScenePart(enum.Enum):
+    """What of a scene a surface is of."""
+
+    body = 0
+    scenery = 1
+    rigid = 2
+
+class ScenePoint:
+    """A point of a surface of a scene."""
+    @property
+    def part(self) -> ScenePart:
+        """What it is of."""
+    @property
+    def index(self) -> int:
+        """Of that kind."""
+    @property
+    def triangle(self) -> int:
+        """Row of its surface."""
+    @property
+    def distance(self) -> float:
+        """[m] from where the query began."""
+    @property
+    def point(self) -> NDArray[np.float64]:
+        """[m] shape (3,). Shape (3,), a view."""
+    @point.setter
+    def point(self, value: ArrayLike) -> None: ...
+    @property
+    def normal(self) -> NDArray[np.float64]:
+        """[-] Unit, smooth, outward, shape (3,). Shape (3,), a view."""
+    @normal.setter
+    def normal(self, value: ArrayLike) -> None: ...
+    def __copy__(self) -> ScenePoint:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> ScenePoint:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class SceneSurfaces:
+    """All that a hand may meet in a scene: bodies and scenery at rest, and rigid bodies where
+    they were placed last, at first where the scene has them.
+    """
+    def __init__(self, scene: Scene) -> None:
+        """The scene need not outlive it."""
+    def place_rigid(self, index: int, position: ArrayLike, orientation: ArrayLike) -> None:
+        """Where a rigid body is now: [m], shape (3,), and a unit quaternion (x, y, z, w).
+
+        Args:
+            orientation: [-] shape (4,), of the tool's frame: unit quaternion (x, y, z, w)
+        """
+    def rigid_count(self) -> int:
+        """How many rigid bodies there are."""
+    def find_ray_hit(self, origin: ArrayLike, direction: ArrayLike) -> ScenePoint | None:
+        """The first surface along a ray; None where the ray meets that from inside, as nothing
+        behind it is in sight.
+
+        Args:
+            origin: [m] shape (3,)
+            direction: [-] shape (3,), of any length but zero
+        """
+    def find_closest_point(self, p: ArrayLike, rigid: int = ...) -> ScenePoint | None:
+        """The nearest point of bodies, scenery and one rigid body, or none of them for -1.
+
+        Args:
+            p: [m] shape (3,)
+        """
+    def __reduce_ex__(self, protocol: int) -> object:
+        """Raises TypeError: not to be pickled."""
+
 class PointerPath(enum.Enum):
     """How a hand gets to its goal."""
 
@@ -4181,6 +4252,9 @@ class PointerTarget:
         pressing: bool = ...,
         buttons: int = ...,
         orientation: ArrayLike = ...,
+        rigid: int = ...,
+        rigid_position: ArrayLike = ...,
+        rigid_orientation: ArrayLike = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     time: float
@@ -4205,11 +4279,25 @@ class PointerTarget:
         """
     @orientation.setter
     def orientation(self, value: ArrayLike) -> None: ...
+    rigid: int
+    """The rigid body that the goal is of, and where it is now; -1: of none."""
+    @property
+    def rigid_position(self) -> NDArray[np.float64]:
+        """[m] of its frame, shape (3,). Shape (3,), a view."""
+    @rigid_position.setter
+    def rigid_position(self, value: ArrayLike) -> None: ...
+    @property
+    def rigid_orientation(self) -> NDArray[np.float64]:
+        """[-] Of its frame: unit quaternion (x, y, z, w), shape (4,); a view."""
+    @rigid_orientation.setter
+    def rigid_orientation(self, value: ArrayLike) -> None: ...
     def __copy__(self) -> PointerTarget:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> PointerTarget:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -4217,14 +4305,16 @@ class PointerTarget:
 class SurfacePointer(HapticDevice):
     """A hand that a window moves over a surface: post() from one thread, read() from the haptic
     thread, which moves the hand. How often the window finds time to post makes no difference
-    to what is felt: the hand goes over the surface at rest at 250 mm/s at most and into it
-    at 50 mm/s, and a press that was over before it was heard of lasts as long as the window
-    says.
+    to what is felt: the hand goes over the surfaces of bodies and scenery at rest, and of
+    the rigid body that a target names, at 250 mm/s at most and into them at 50 mm/s, and a
+    press that was over before it was heard of lasts as long as the window says.
     """
     def __init__(self, scene: Scene, body: int = ..., instrument: int = ...) -> None:
-        """The surface and the tool are those of a scene."""
+        """Surfaces and tool are those of a scene; the hand begins over a body."""
     def post(self, target: PointerTarget) -> None:
-        """One calling thread. Raises ValueError for a number that is not finite."""
+        """One calling thread. Raises ValueError for a number that is not finite, an orientation
+        not of norm 1 and a rigid body that the scene does not have.
+        """
     def __reduce_ex__(self, protocol: int) -> object:
         """Raises TypeError: not to be pickled."""
 

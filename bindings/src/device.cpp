@@ -139,12 +139,24 @@ void bind_surface_pointer(py::module_& m) {
 
   py::class_<PointerTarget> target(m, "PointerTarget", "What a window wants of the hand.");
   target.def(py::init([](double time, const Vec3& goal, double depth, PointerPath path,
-                         bool pressing, std::uint8_t buttons, const Eigen::Vector4d& xyzw) {
-               return PointerTarget{time, goal, depth, path, pressing, buttons, Quaternion(xyzw)};
+                         bool pressing, std::uint8_t buttons, const Eigen::Vector4d& xyzw,
+                         int rigid, const Vec3& rigid_position, const Eigen::Vector4d& rigid_xyzw) {
+               return PointerTarget{time,
+                                    goal,
+                                    depth,
+                                    path,
+                                    pressing,
+                                    buttons,
+                                    Quaternion(xyzw),
+                                    rigid,
+                                    rigid_position,
+                                    Quaternion(rigid_xyzw)};
              }),
              py::kw_only(), "time"_a = 0.0, "goal"_a = Vec3::Zero().eval(), "depth"_a = 0.0,
              "path"_a = PointerPath::along, "pressing"_a = false, "buttons"_a = 0,
-             "orientation"_a = Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
+             "orientation"_a = Eigen::Vector4d(0.0, 0.0, 0.0, 1.0), "rigid"_a = -1,
+             "rigid_position"_a = Vec3::Zero().eval(),
+             "rigid_orientation"_a = Eigen::Vector4d(0.0, 0.0, 0.0, 1.0));
   target.def_readwrite("time", &PointerTarget::time,
                        "[s] of the event that led to it, by the window's clock.");
   def_vector(target, "goal", &PointerTarget::goal,
@@ -164,17 +176,33 @@ void bind_surface_pointer(py::module_& m) {
       },
       [](PointerTarget& self, const Eigen::Vector4d& xyzw) { self.orientation = Quaternion(xyzw); },
       "[-] Of the sample, at 3 rad/s at most: unit quaternion (x, y, z, w), shape (4,); a view.");
+  target.def_readwrite("rigid", &PointerTarget::rigid,
+                       "The rigid body that the goal is of, and where it is now; -1: of none.");
+  def_vector(target, "rigid_position", &PointerTarget::rigid_position,
+             "[m] of its frame, shape (3,).");
+  target.def_property(
+      "rigid_orientation",
+      [](const py::object& self) {
+        return view_one(self.cast<PointerTarget&>().rigid_orientation, self);
+      },
+      [](PointerTarget& self, const Eigen::Vector4d& xyzw) {
+        self.rigid_orientation = Quaternion(xyzw);
+      },
+      "[-] Of its frame: unit quaternion (x, y, z, w), shape (4,); a view.");
   def_value(target, &PointerTarget::time, &PointerTarget::goal, &PointerTarget::depth,
             &PointerTarget::path, &PointerTarget::pressing, &PointerTarget::buttons,
-            &PointerTarget::orientation);
-  def_repr(target, {"time", "goal", "depth", "path", "pressing", "buttons", "orientation"});
+            &PointerTarget::orientation, &PointerTarget::rigid, &PointerTarget::rigid_position,
+            &PointerTarget::rigid_orientation);
+  def_repr(target,
+           {"time", "goal", "depth", "path", "pressing", "buttons", "orientation", "rigid"});
 
   py::class_<SurfacePointer, HapticDevice>(
       m, "SurfacePointer",
       "A hand that a window moves over a surface: post() from one thread, read() from the haptic "
       "thread, which moves the hand. How often the window finds time to post makes no difference "
-      "to what is felt: the hand goes over the surface at rest at 250 mm/s at most and into it at "
-      "50 mm/s, and a press that was over before it was heard of lasts as long as the window says.")
+      "to what is felt: the hand goes over the surfaces of bodies and scenery at rest, and of the "
+      "rigid body that a target names, at 250 mm/s at most and into them at 50 mm/s, and a press "
+      "that was over before it was heard of lasts as long as the window says.")
       .def(py::init([](const Scene& scene, int body, int instrument) {
              require_built(scene);
              require_index("body", body, scene.bodies.size());
@@ -182,9 +210,72 @@ void bind_surface_pointer(py::module_& m) {
              return std::make_unique<SurfacePointer>(scene, body, instrument);
            }),
            "scene"_a, "body"_a = 0, "instrument"_a = 0,
-           "The surface and the tool are those of a scene.")
+           "Surfaces and tool are those of a scene; the hand begins over a body.")
       .def("post", &SurfacePointer::post, "target"_a,
-           "One calling thread. Raises ValueError for a number that is not finite.");
+           "One calling thread. Raises ValueError for a number that is not finite, an orientation "
+           "not of norm 1 and a rigid body that the scene does not have.");
+}
+
+void bind_scene_surfaces(py::module_& m) {
+  py::native_enum<ScenePart>(m, "ScenePart", "enum.Enum", "What of a scene a surface is of.")
+      .value("body", ScenePart::body, "Of Scene.bodies.")
+      .value("scenery", ScenePart::scenery, "Of Scene.scenery.")
+      .value("rigid", ScenePart::rigid, "Of Scene.rigid.")
+      .finalize();
+
+  py::class_<ScenePoint> point(m, "ScenePoint", "A point of a surface of a scene.");
+  point.def_readonly("part", &ScenePoint::part, "What it is of.")
+      .def_readonly("index", &ScenePoint::index, "Of that kind.")
+      .def_readonly("triangle", &ScenePoint::triangle, "Row of its surface.")
+      .def_readonly("distance", &ScenePoint::distance, "[m] from where the query began.");
+  def_vector(point, "point", &ScenePoint::point, "[m] shape (3,).");
+  def_vector(point, "normal", &ScenePoint::normal, "[-] Unit, smooth, outward, shape (3,).");
+  def_value(point, &ScenePoint::part, &ScenePoint::index, &ScenePoint::triangle, &ScenePoint::point,
+            &ScenePoint::normal, &ScenePoint::distance);
+  def_repr(point, {"part", "index", "triangle", "point", "normal", "distance"});
+
+  py::class_<SceneSurfaces>(m, "SceneSurfaces",
+                            "All that a hand may meet in a scene: bodies and scenery at rest, and "
+                            "rigid bodies where they "
+                            "were placed last, at first where the scene has them.")
+      .def(py::init([](const Scene& scene) {
+             require_built(scene);
+             return std::make_unique<SceneSurfaces>(scene);
+           }),
+           "scene"_a, "The scene need not outlive it.")
+      .def(
+          "place_rigid",
+          [](SceneSurfaces& self, int index, const Vec3& position, const Eigen::Vector4d& xyzw) {
+            require_index("index", index, self.rigid_count());
+            require_finite("position", position);
+            if (!(std::abs(xyzw.norm() - 1.0) < 1e-6)) {
+              refuse("orientation", write_text("a quaternion of norm ", xyzw.norm()), "a unit one");
+            }
+            self.place_rigid(static_cast<std::size_t>(index), position, Quaternion(xyzw));
+          },
+          "index"_a, "position"_a, "orientation"_a,
+          "Where a rigid body is now: [m], shape (3,), and a unit quaternion (x, y, z, w).")
+      .def("rigid_count", &SceneSurfaces::rigid_count, "How many rigid bodies there are.")
+      .def(
+          "find_ray_hit",
+          [](const SceneSurfaces& self, const Vec3& origin, const Vec3& direction) {
+            require_finite("origin", origin);
+            require_finite("direction", direction);
+            if (direction.isZero(0.0)) refuse("direction", "(0, 0, 0)", "any other");
+            return self.find_ray_hit(origin, direction);
+          },
+          "origin"_a, "direction"_a,
+          "The first surface along a ray; None where the ray meets that from inside, as nothing "
+          "behind it is in sight.")
+      .def(
+          "find_closest_point",
+          [](const SceneSurfaces& self, const Vec3& p, int rigid) {
+            require_finite("p", p);
+            if (rigid != -1) require_index("rigid", rigid, self.rigid_count());
+            return self.find_closest_point(p, rigid);
+          },
+          "p"_a, "rigid"_a = -1,
+          "The nearest point of bodies, scenery and one rigid body, or none of them for -1.");
 }
 
 }  // namespace
@@ -250,6 +341,7 @@ void bind_devices(py::module_& m) {
   bind_scripted_device(m);
   bind_fulcrum_device(m);
   bind_mailbox_device(m);
+  bind_scene_surfaces(m);
   bind_surface_pointer(m);
   py::class_<PointerDevice, HapticDevice>(
       m, "PointerDevice",

@@ -128,6 +128,8 @@ MADE: dict[str, Callable[[], object]] = {
     "ContactPair": lambda: palpate.World(organ_scene(1)).pairs[0],
     "ScriptedDevice": device,
     "SurfacePointer": lambda: palpate.SurfacePointer(organ_scene(1)),
+    "SceneSurfaces": lambda: palpate.SceneSurfaces(organ_scene(1)),
+    "ScenePoint": lambda: palpate.SceneSurfaces(organ_scene(1)).find_closest_point((0, 0, 1)),
     "ReplayDevice": lambda: palpate.ReplayDevice([palpate.HapticSample()]),
     "Fulcrum": lambda: palpate.Fulcrum((0.0, 0.0, 0.2), 0.3),
     "FulcrumDevice": lambda: palpate.FulcrumDevice(device(), palpate.Fulcrum((0.0, 0.0, 0.2), 0.3)),

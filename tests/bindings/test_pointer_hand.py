@@ -8,10 +8,12 @@ import copy
 import numpy as np
 import palpate
 import pytest
+from palpate.scene.surfaces import join_rest_surfaces, join_triangles
 from palpate.viewport import Grip, PointerHand, make_view
 from pointers import Bench
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
+from stones import make_stone
 from surfaces import organ_scene
 from windows import LEFT, RIGHT, drag, move, turn_wheel
 
@@ -251,14 +253,84 @@ def test_the_view_says_what_buttons_and_wheel_do_now(view, bench):
     assert not view.hint.isVisible()
 
 
-def test_of_several_bodies_the_mouse_presses_the_first(bench):
-    tissue = bench.scene.bodies[0].tissue
-    above = copy.copy(tissue)
+def crowd() -> palpate.Scene:
+    """The organ, another 80 mm beside it, a table below them and a stone on that."""
+    tissue = SCENE.bodies[0].tissue
+    beside = copy.copy(tissue)
+    np.asarray(beside.rest_position)[:] += (0.08, 0.0, 0.0)
+    low = np.asarray(tissue.rest_position)[:, 2].min() - 0.01
+    corners = [(-0.1, -0.1, low), (0.2, -0.1, low), (0.2, 0.1, low), (-0.1, 0.1, low)]
+    table = palpate.Scenery(palpate.SurfaceMesh(corners, [(0, 1, 2), (0, 2, 3)]), [])
+    stone = make_stone()
+    stone.position = (0.0, -0.07, low + 0.01)
+    return palpate.build_scene(
+        palpate.Scene(
+            bodies=[palpate.SoftBody(tissue=tissue), palpate.SoftBody(tissue=beside)],
+            scenery=[table],
+            rigid=[stone],
+        )
+    )
+
+
+def show_crowd(view, scene: palpate.Scene) -> Bench:
+    view.show_hard_parts(scene)
+    view.show_surface(join_rest_surfaces(scene), join_triangles(scene))
+    view.look_from(-np.pi / 2, 0.9)
+    view.frame_all()
+    return Bench(view, scene)
+
+
+def test_of_several_bodies_the_mouse_begins_over_the_first(bench):
+    above = copy.copy(SCENE.bodies[0].tissue)
     np.asarray(above.rest_position)[:] += (0.0, 0.0, 1.0)
-    bodies = [palpate.SoftBody(tissue=tissue), palpate.SoftBody(tissue=above)]
+    bodies = [palpate.SoftBody(tissue=each) for each in (SCENE.bodies[0].tissue, above)]
     two = palpate.build_scene(palpate.Scene(bodies=bodies))
 
     hand = PointerHand(bench.view, palpate.SurfacePointer(two), two)
 
-    top = np.asarray(tissue.rest_position)[:, 2].max()
-    assert hand.goal[2] <= top
+    assert hand.goal[2] <= np.asarray(SCENE.bodies[0].tissue.rest_position)[:, 2].max()
+
+
+def test_the_mouse_presses_the_organ_that_is_under_it(view):
+    bench = show_crowd(view, crowd())
+    top = np.asarray(bench.scene.bodies[1].tissue.rest_position).max(axis=0)
+    pixel = view.world_to_pixel((0.08, 0.0, top[2])).toPoint()
+    bench.hover(pixel)
+
+    QTest.mousePress(view, LEFT, Qt.KeyboardModifier.NoModifier, pixel)
+    force = bench.settle()
+
+    assert force[2] > 0.0
+    moved = [
+        np.abs(np.asarray(state.tissue.position) - np.asarray(body.tissue.rest_position)).max()
+        for state, body in zip(bench.world.bodies, bench.scene.bodies, strict=True)
+    ]
+    assert moved[1] > 1e-4
+    assert moved[0] < 1e-6
+
+
+def test_the_mouse_presses_scenery(view):
+    bench = show_crowd(view, crowd())
+    corner = np.asarray(bench.scene.scenery[0].mesh.vertices)[3] + (0.01, -0.01, 0.0)
+    pixel = view.world_to_pixel(corner).toPoint()
+    bench.hover(pixel)
+    assert bench.hand.goal[2] == pytest.approx(corner[2])
+
+    QTest.mousePress(view, LEFT, Qt.KeyboardModifier.NoModifier, pixel)
+
+    assert bench.settle()[2] > 0.0
+
+
+def test_the_mouse_presses_a_stone_where_it_is_seen_now(view):
+    bench = show_crowd(view, crowd())
+    now = palpate.RigidBody([(0.0, 0.0, 0.0)], [0.005], position=(-0.05, -0.08, 0.02))
+    view.move_rigid([now])
+    pixel = view.world_to_pixel(now.position).toPoint()
+
+    bench.hover(pixel)
+
+    assert np.linalg.norm(bench.hand.goal - np.asarray(now.position)) < 0.006
+    assert np.linalg.norm(bench.position - np.asarray(now.position)) < 0.006 + RADIUS + 3e-3
+    turn_wheel(view, pixel, 1)
+    bench.settle()
+    assert bench.hand.grip is Grip.hovering

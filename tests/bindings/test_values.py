@@ -23,7 +23,7 @@ NO_VALUES = {
     "AabbTree", "World", "SoftState", "InstrumentState", "ContactPair",
     "Response", "NearField", "VelocityWindow", "TickLog", "ImplicitStepper",
     "HapticDevice", "ScriptedDevice", "PointerDevice", "ReplayDevice", "SafeDevice",
-    "SurfacePointer", "MailboxDevice", "FulcrumDevice",
+    "SurfacePointer", "SceneSurfaces", "MailboxDevice", "FulcrumDevice",
     "SerialDevice", "FaultyDevice", "SimulatedArm", "Transport", "NativeCore", "SerialTransport",
     "FaultyTransport", "PtyDevice", "Loop", "DeviceLoop", "Recorder", "SlowTissue",
     "Progress",

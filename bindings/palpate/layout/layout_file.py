@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A layout and its past as a file."""
+"""A layout and its past as a file, which layout.schema.json describes."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from palpate.files.json_part import read_part
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.layout.document import FORMAT, VERSION, History, Layout
+from palpate.layout.stone import FEWEST, MOST
 from palpate.scene.instrument_kinds import KINDS
 
 MOST_BYTES = 16 * 2**20
@@ -52,6 +53,23 @@ def add_missing(path: Path, value: Any, version: int) -> Any:
     return {**value, **dict.fromkeys(ADDED[version], [])}
 
 
+AT_LEAST = dict.fromkeys(("friction", "thickness", "stiffness", "damping", "length"), 0.0)
+ABOVE = dict.fromkeys(("scale", "density", "radius"), 0.0)
+
+
+def require_ranges(path: Path, where: str, row: object) -> None:
+    """Of numbers that no scene could have. Raises Refusal."""
+    for name, least in (AT_LEAST | ABOVE).items():
+        value = getattr(row, name, None)
+        if value is None or value > least or (value == least and name in AT_LEAST):
+            continue
+        expected = f"{least:g} or more" if name in AT_LEAST else f"more than {least:g}"
+        raise Refusal(path, f"{where}.{name}", f"{value:g}", expected)
+    count = getattr(row, "spheres", FEWEST)
+    if not FEWEST <= count <= MOST:
+        raise Refusal(path, f"{where}.spheres", f"{count}", f"{FEWEST} to {MOST}")
+
+
 def require_sound(path: Path, layout: Layout) -> None:
     """What no edit would have made. Raises Refusal."""
     names = [part.name for part in layout.parts]
@@ -63,13 +81,17 @@ def require_sound(path: Path, layout: Layout) -> None:
             count = len(getattr(part, field))
             if count != 3:
                 raise Refusal(path, f"{where}.{field}", f"{count} numbers", "3")
+        require_ranges(path, where, part)
     if len(layout.gravity) not in (0, 3):
         raise Refusal(path, "gravity", f"{len(layout.gravity)} numbers", "3, or none")
     if len(layout.fluid) not in (0, 2):
         raise Refusal(path, "fluid", f"{len(layout.fluid)} numbers", "2, or none")
+    if any(number < 0.0 for number in layout.fluid):
+        raise Refusal(path, "fluid", f"{min(layout.fluid):g}", "0 or more")
     if len(layout.tools) > 1:
         raise Refusal(path, "tools", f"{len(layout.tools)}", "one, or none")
     for tool in layout.tools:
+        require_ranges(path, "tools[0]", tool)
         if tool.kind not in KINDS:
             raise Refusal(path, "tools[0].kind", repr(tool.kind), f"one of {', '.join(KINDS)}")
         if len(tool.trocar) not in (0, 3):
@@ -82,6 +104,7 @@ def require_sound(path: Path, layout: Layout) -> None:
             got = f"{pair.first!r} and {pair.second!r}"
             raise Refusal(path, f"pairs[{index}]", got, "two of the bodies, each pair once")
         known.append(both)
+        require_ranges(path, f"pairs[{index}]", pair)
     for index, scenery in enumerate(layout.scenery):
         if not set(scenery.stops) <= bodies or len(set(scenery.stops)) < len(scenery.stops):
             raise Refusal(path, f"scenery[{index}].stops", ", ".join(scenery.stops),

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 import palpate
 from palpate.render.hard_parts import (
@@ -30,6 +31,8 @@ class HardParts:
         self._scenery = scenery
         self._rigid: list[DrawnPart] = []
         self._names: list[str] = []
+        self.poses: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
+        """[m] (3,) and unit quaternion (x, y, z, w) of each rigid body, as it is drawn."""
 
     def show(self, scene: palpate.Scene) -> None:
         """Those of a scene and no others, rigid bodies at the start. What is near to its organs
@@ -54,6 +57,7 @@ class HardParts:
     def move(self, poses: Sequence[Pose]) -> list[DrawnPart]:
         """Rigid bodies where they are now [m]."""
         placed = place_rigid(self._rigid, poses)
+        self.poses = [(np.array(each.position), np.array(each.orientation)) for each in poses]
         for number, part in enumerate(placed):
             self._scenery.show_part(f"rigid {number}", part.shape, part.appearance)
         return placed

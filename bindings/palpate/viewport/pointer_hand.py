@@ -57,8 +57,9 @@ class PointerHand(QObject):
     - of an instrument with a shaft Shift + wheel turns it about itself and, where no trocar does,
       Alt + wheel leans it to or from the viewer. Its jaws close where a ball takes hold.
 
-    Beside the organ everything turns the camera, as does the middle button; Ctrl + wheel zooms. Of
-    several bodies the organ is the first; what else the tip meets on its way it touches too.
+    Beside the organ everything turns the camera, as does the middle button; Ctrl + wheel zooms. The
+    organ is whatever is under the pointer: any body or scenery, or a stone where it is now. What
+    else the tip meets on its way it touches too.
     """
 
     def __init__(
@@ -78,23 +79,25 @@ class PointerHand(QObject):
         self._roll, self._lean = 0.0, np.array([0.0, 0.0, 0.0, 1.0])
         self._offset = np.zeros(3)
         """[m] from where the pointer means to where what is held is."""
-        body = scene.bodies[0]
-        self._x = palpate.compute_surface(body.tissue, body.tissue.rest_position)
-        self._triangles = np.array(body.tissue.triangles)
-        self._tree = palpate.AabbTree(self._x, self._triangles)
+        self._surfaces = palpate.SceneSurfaces(scene)
+        self._stones = [(np.array(r.position), np.array(r.orientation)) for r in scene.rigid]
+        self._rigid = -1
+        """The rigid body that the goal is of."""
+        tissue = scene.bodies[0].tissue
+        x = palpate.compute_surface(tissue, tissue.rest_position)
         self._radius = its.tool.radius
-        reach = palpate.compute_diagonal(self._x) / 2
+        reach = palpate.compute_diagonal(x) / 2
         self.press_depth = min(max(0.08 * reach, SMALLEST_PRESS), LARGEST_PRESS)
         """[m] how deep the left button presses."""
         self._clearance, self._notch = 0.04 * reach, 0.01 * reach
         self._deepest, self._highest = 0.8 * reach, 0.8 * reach
-        self._normals = np.asarray(palpate.compute_vertex_normals(self._x, self._triangles))
         if instrument == 0:
             top = find_top(scene)
             point, self._outward = np.array(top.point), np.array(top.outward)
         else:
-            start = find_start(self._x, self._normals, instrument, APART * reach)
-            point, self._outward = self._x[start], self._normals[start]
+            normals = np.asarray(palpate.compute_vertex_normals(x, tissue.triangles))
+            start = find_start(x, normals, instrument, APART * reach)
+            point, self._outward = x[start], normals[start]
         self._goal = self._grabbed = point
         self._path = palpate.PointerPath.along
         self.grip = Grip.hovering
@@ -142,6 +145,7 @@ class PointerHand(QObject):
             if hit is None:  # beside the organ, as far away as the pointer left it
                 reach = self._outward * (self._radius - self._depth)
                 self._goal = self._meet(view, event.position(), self._goal + reach) - reach
+                self._rigid = -1
                 self._path = palpate.PointerPath.around
             else:
                 self._go_over(hit)
@@ -174,7 +178,7 @@ class PointerHand(QObject):
         if self.grip is Grip.holding:
             # away from the viewer or nearer: what is held need not move along its normal
             self._go_freely(self._goal + view.seen_from.basis()[2] * (self._notch * notches))
-        elif self.grip is Grip.hovering and view.pick(event.position()) is None:
+        elif self.grip is Grip.hovering and not self._is_over(view, event.position()):
             return False
         else:
             self._set_depth(self._depth + self._notch * notches)
@@ -215,28 +219,27 @@ class PointerHand(QObject):
         if upright >= math.cos(SWAYED):
             self._lean = lean / np.linalg.norm(lean)
 
-    def _find(self, view: ViewBase, at: QPointF) -> palpate.SurfacePoint | None:
-        """Where the pointer's ray meets the surface at rest.
+    def _find(self, view: ViewBase, at: QPointF) -> palpate.ScenePoint | None:
+        """Where the pointer's ray meets what is first, tissue at rest and stones as they are seen.
 
-        Not the surface as it is now: what the tip has pressed down would draw it deeper still.
+        Not tissue as it is now: what the tip has pressed down would draw it deeper still.
         """
-        origin, direction = view.ray_at(at)
-        hit = palpate.find_ray_hit(self._tree, self._x, origin, direction)
-        if hit is None:
-            return None
-        a, b, c = self._x[self._triangles[hit.triangle]]
-        return hit if np.cross(b - a, c - a) @ direction < 0.0 else None
+        for number, pose in enumerate(view.hard_parts.poses[: len(self._stones)]):
+            self._stones[number] = pose
+            self._surfaces.place_rigid(number, *pose)
+        return self._surfaces.find_ray_hit(*view.ray_at(at))
+
+    def _is_over(self, view: ViewBase, at: QPointF) -> bool:
+        return view.pick(at) is not None or self._find(view, at) is not None
 
     def _meet(self, view: ViewBase, at: QPointF, point: Array) -> Array:
         """[m] Under the pointer, in the plane through a point that is parallel to the screen."""
         return meet_plane(*view.ray_at(at), point, view.seen_from.basis()[2])
 
-    def _go_over(self, hit: palpate.SurfacePoint) -> None:
+    def _go_over(self, hit: palpate.ScenePoint) -> None:
         self._goal, self._path = np.array(hit.point), palpate.PointerPath.along
-        outward = np.asarray(hit.weights) @ self._normals[self._triangles[hit.triangle]]
-        length = float(np.linalg.norm(outward))
-        if length > 0.0:
-            self._outward = outward / length
+        self._outward = np.array(hit.normal)
+        self._rigid = hit.index if hit.part is palpate.ScenePart.rigid else -1
 
     def _go_freely(self, goal: Array) -> None:
         self._goal, self._path = goal, palpate.PointerPath.straight
@@ -246,7 +249,7 @@ class PointerHand(QObject):
         hit = self._find(view, at)
         if hit is None:
             beside = self._meet(view, at, self._goal)
-            hit = palpate.find_closest_point(self._tree, self._x, beside)
+            hit = self._surfaces.find_closest_point(beside, self._rigid)
         if hit is not None:
             self._go_over(hit)
 
@@ -272,6 +275,10 @@ class PointerHand(QObject):
         if event is not None:
             self._time = 1e-3 * event.timestamp()
         holds = self.grip is Grip.holding
+        stone = {}
+        if self._rigid >= 0:
+            position, orientation = self._stones[self._rigid]
+            stone = {"rigid_position": position, "rigid_orientation": orientation}
         self._device.post(
             palpate.PointerTarget(
                 time=self._time,
@@ -281,6 +288,8 @@ class PointerHand(QObject):
                 pressing=self.grip is not Grip.hovering,
                 buttons=palpate.ATTACH_BUTTON if holds else 0,
                 orientation=multiply(self._lean, turn_about((0.0, 0.0, 1.0), self._roll)),
+                rigid=self._rigid,
+                **stone,
             )
         )
         self._view.hint.say(self._hints[self.grip])

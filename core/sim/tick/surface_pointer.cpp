@@ -6,9 +6,7 @@
 
 #include "palpate/sim/base/private/limit.h"
 #include "palpate/sim/base/private/refuse.h"
-#include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
-#include "palpate/sim/tree/queries.h"
 
 namespace palpate {
 namespace {
@@ -36,17 +34,24 @@ constexpr double kPatience = 0.01, kLeastGain = 0.2, kLap = 0.3;
 constexpr std::size_t kGestures = 64;
 constexpr double kStart = 0.01;  // [m] over the highest vertex, before anything was asked for
 
+void require_unit(const char* where, const Quaternion& turn) {
+  if (!(std::abs(turn.norm() - 1.0) < 1e-6)) {
+    refuse(where, write_text("a quaternion of norm ", turn.norm()), "a unit one");
+  }
+}
+
 double share_of(double dt) noexcept { return 1.0 - std::exp(-dt / kGlideTime); }
 
 }  // namespace
 
 SurfacePointer::SurfacePointer(const Scene& scene, std::size_t body, std::size_t instrument)
-    : x_(compute_surface(scene.bodies.at(body).tissue, scene.bodies[body].tissue.rest_position)),
-      normals_(compute_vertex_normals(x_, scene.bodies[body].tissue.triangles)),
-      tree_(x_, scene.bodies[body].tissue.triangles),
-      radius_(scene.instruments.at(instrument).tool.radius),
-      gestures_(kGestures) {
-  base_ = *std::max_element(x_.begin(), x_.end(),
+    : radius_(scene.instruments.at(instrument).tool.radius),
+      rigid_count_(static_cast<int>(scene.rigid.size())),
+      gestures_(kGestures),
+      surfaces_(scene) {
+  const TissueModel& tissue = scene.bodies.at(body).tissue;
+  const Vec3Array x = compute_surface(tissue, tissue.rest_position);
+  base_ = *std::max_element(x.begin(), x.end(),
                             [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
   depth_ = -kStart;
   hand_.position = base_ + outward_ * (radius_ - depth_);
@@ -56,10 +61,14 @@ void SurfacePointer::post(const PointerTarget& target) {
   if (!std::isfinite(target.time) || !target.goal.allFinite() || !std::isfinite(target.depth)) {
     refuse("pointer: time, goal or depth", "a number that is not finite", "finite ones");
   }
-  if (!(std::abs(target.orientation.norm() - 1.0) < 1e-6)) {
-    refuse("pointer: orientation", write_text("a quaternion of norm ", target.orientation.norm()),
-           "a unit one");
+  require_unit("pointer: orientation", target.orientation);
+  if (target.rigid < -1 || target.rigid >= rigid_count_) {
+    refuse("pointer: rigid", write_text(target.rigid), write_text("-1 to ", rigid_count_ - 1));
   }
+  if (!target.rigid_position.allFinite()) {
+    refuse("pointer: rigid_position", "a number that is not finite", "finite ones");
+  }
+  require_unit("pointer: rigid_orientation", target.rigid_orientation);
   const bool turns = posted_.number == 0 || target.pressing != posted_.target.pressing;
   posted_ = {target, posted_.number + 1, posted_.gesture + (turns ? 1 : 0)};
   // where there is no room for it, nobody reads, and the newest is all that will count
@@ -99,15 +108,25 @@ void SurfacePointer::follow_posts(double time) noexcept {
   }
 }
 
+/// The rigid body under the pointer, where the window saw it last.
+void SurfacePointer::take(const Post& post) noexcept {
+  current_ = post;
+  const PointerTarget& target = post.target;
+  if (target.rigid < 0) return;
+  surfaces_.place_rigid(static_cast<std::size_t>(target.rigid), target.rigid_position,
+                        target.rigid_orientation);
+}
+
 void SurfacePointer::begin_gesture(const Post& post, double time) noexcept {
-  if (current_.number == 0) {  // the first time it is there at once
+  const bool is_first = current_.number == 0;
+  take(post);
+  if (is_first) {  // it is there at once
     foot_ = find_foot(post.target.goal);
     base_ = post.target.goal;
     outward_ = foot_.normal;
     depth_ = post.target.depth;
     hand_.position = base_ + outward_ * (radius_ - depth_);
   }
-  current_ = post;
   touch_ = post.target;
   began_ = time;
   speed_ = kWalkSpeed;
@@ -125,7 +144,7 @@ void SurfacePointer::follow(const Post& post) noexcept {
   const double interval =
       std::clamp(post.target.time - current_.target.time, kShortestInterval, kLongestInterval);
   const double before = find_displacement().norm();
-  current_ = post;
+  take(post);
   const double length = find_displacement().norm();
   speed_ = coming_ ? kWalkSpeed : std::min(kWalkSpeed, length / interval);
   if (!bypassing_) nearest_ += length - before;
@@ -246,17 +265,10 @@ void SurfacePointer::glide(double time, double dt) noexcept {
 }
 
 SurfacePointer::Foot SurfacePointer::find_foot(const Vec3& p) const noexcept {
-  const auto found = find_closest_point(tree_, x_, p);
+  const auto found = surfaces_.find_closest_point(p, current_.target.rigid);
   if (!found) return foot_;
-  const Triangle& corners = tree_.triangles()[static_cast<std::size_t>(found->triangle)];
-  Vec3 normal = Vec3::Zero();
-  for (int c = 0; c < 3; ++c) {
-    normal += found->weights[c] * normals_[static_cast<std::size_t>(corners[c])];
-  }
-  if (!(normal.norm() > 0.0)) normal = foot_.normal;
-  normal.normalize();
-  const bool above = (p - found->point).dot(normal) > 0.0;
-  return {found->point, normal, above ? found->distance : -found->distance};
+  const bool above = (p - found->point).dot(found->normal) > 0.0;
+  return {found->point, found->normal, above ? found->distance : -found->distance};
 }
 
 }  // namespace palpate

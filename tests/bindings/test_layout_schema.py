@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A layout as it is written keeps to its schema, and what does not is refused."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import palpate
+import pytest
+from palpate.files.refusal import Refusal
+from palpate.layout import document
+from palpate.layout.document import (
+    History,
+    Layout,
+    PlacedBody,
+    PlacedScenery,
+    PlacedStone,
+    SceneTool,
+    TouchingPair,
+)
+from palpate.layout.layout_file import read_layout, write_layout
+
+SHIPPED = Path(__file__).resolve().parents[2] / "meshes" / "scenes"
+SCHEMA = Path(palpate.__file__).parent / "schemas" / "layout.schema.json"
+LAYOUT = Layout(
+    title="Kidney",
+    bodies=(PlacedBody("kidney", "kidney.palpate", "0" * 64), PlacedBody("bowel", "b.palpate", "")),
+    pairs=(TouchingPair("kidney", "bowel", thickness=4e-4),),
+    stones=(PlacedStone("stone", "stone.obj", "1" * 64, scale=1e-3),),
+    scenery=(PlacedScenery("tray", "tray.obj", "2" * 64, stops=("kidney",)),),
+    gravity=(0.0, 0.0, -9.81),
+    fluid=(1000.0, 1e-3),
+    tools=(SceneTool("grasper", 1.2e-3, 0.01, 0.4, 0.3, trocar=(0.0, 0.0, 0.2)),),
+)
+
+
+@pytest.fixture(scope="module")
+def schema() -> jsonschema.Draft202012Validator:
+    rules = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(rules)
+    return jsonschema.Draft202012Validator(rules)
+
+
+def write(folder: Path) -> tuple[Path, dict[str, Any]]:
+    path = folder / "two.layout.json"
+    history = document.apply(History(Layout()), LAYOUT)
+    history = document.apply(history, document.remove_part(LAYOUT, "stone"))
+    write_layout(path, document.apply(document.undo(history), LAYOUT))
+    return path, json.loads(path.read_text(encoding="utf-8"))
+
+
+def test_what_is_written_is_as_the_schema_says(schema, tmp_path):
+    path, data = write(tmp_path)
+
+    schema.validate(data)
+
+    assert data["before"] and data["now"]["stones"] and data["now"]["scenery"]
+    assert read_layout(path).now == LAYOUT
+
+
+def test_the_layouts_that_ship_are_as_the_schema_says_once_they_are_written(schema, tmp_path):
+    for path in SHIPPED.glob("*.layout.json"):
+        write_layout(tmp_path / path.name, read_layout(path))
+
+        schema.validate(json.loads((tmp_path / path.name).read_text(encoding="utf-8")))
+
+
+DAMAGES: dict[str, Callable[[dict[str, Any]], Any]] = {
+    "now.title": lambda data: data["now"].update(title=3),
+    "now.bodies": lambda data: data["now"].update(bodies="kidney"),
+    "now.extra": lambda data: data["now"].update(extra=1),
+    "no gravity": lambda data: data["now"].pop("gravity"),
+    "kidney.position": lambda data: data["now"]["bodies"][0].update(position=[0.0, 0.0]),
+    "0.name": lambda data: data["now"]["bodies"][0].update(name=""),
+    "stone.density": lambda data: data["now"]["stones"][0].update(density=0.0),
+    "stone.scale": lambda data: data["now"]["stones"][0].update(scale=-1.0),
+    "stone.spheres": lambda data: data["now"]["stones"][0].update(spheres=3),
+    "tray.friction": lambda data: data["now"]["scenery"][0].update(friction=-0.1),
+    "scenery[0].stops": lambda data: data["now"]["scenery"][0].update(stops=["kidney"] * 2),
+    "pairs[0].thickness": lambda data: data["now"]["pairs"][0].update(thickness=-1e-4),
+    "gravity": lambda data: data["now"].update(gravity=[1.0]),
+    "fluid": lambda data: data["now"].update(fluid=[1000.0, -1.0]),
+    "tools[0].kind": lambda data: data["now"]["tools"][0].update(kind="spoon"),
+    "tools[0].radius": lambda data: data["now"]["tools"][0].update(radius=0.0),
+    "before": lambda data: data.update(before={}),
+}
+
+
+@pytest.mark.parametrize("where", DAMAGES)
+def test_a_damaged_layout_is_refused_by_schema_and_reader_alike(schema, tmp_path, where):
+    path, data = write(tmp_path)
+    DAMAGES[where](data)
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+    assert not schema.is_valid(data)
+    with pytest.raises(Refusal, match=where.removeprefix("no ").split("[")[0]):
+        read_layout(path)
