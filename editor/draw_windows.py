@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pictures of the editor and the trainee's window: an organ pressed by a scripted hand.
+"""The pictures of the editor, its window of scenes and the trainee's window.
 
 export QT_QPA_PLATFORM=offscreen
 .venv/bin/python editor/draw_windows.py editor/pictures
@@ -7,6 +7,7 @@ export QT_QPA_PLATFORM=offscreen
 
 from __future__ import annotations
 
+import os
 import sys
 import tempfile
 import time
@@ -20,10 +21,13 @@ from palpate.runs.press import PressScript, find_top, write_script
 from palpate.viewport.application import open_application
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
+from palpate_editor.views.layout.layout_window import LayoutWindow
+from palpate_editor.views.theme import use_theme
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication, QWidget
 
-PUBLISHED = Path(__file__).resolve().parents[1] / "meshes" / "published"
+MESHES = Path(__file__).resolve().parents[1] / "meshes"
+PUBLISHED = MESHES / "published"
 SIZE = (1440, 900)
 """[px] of the editor."""
 PLAYER_SIZE = (1280, 800)
@@ -87,6 +91,30 @@ def find_time(panel: QWidget) -> float:
     return float(trace.time[-1]) if len(trace) else 0.0
 
 
+def draw_scene(app: QApplication, out: Path, folder: Path) -> None:
+    """A gallbladder that is being laid into its fossa, its handles out."""
+    store = QSettings(str(folder / "scene.ini"), QSettings.Format.IniFormat)
+    use_theme(app, "dark")
+    window = LayoutWindow(Settings(store), "dark")
+    before = os.getcwd()
+    os.chdir(MESHES / "scenes")  # the log shows what a reader would type there
+    window.open(Path("liver_gallbladder.layout.json"))
+    window.show()
+    window.resize(*SIZE)
+    window.arrange()
+    wait(app, lambda: bool(window.shapes))
+    window.choose("gallbladder")
+    window.do(("place", "gallbladder", "--by=0,0,1.5"))
+    window.view.look_from(-1.2, -0.1)
+    window.view.frame_all()
+    wait(app, lambda: window.checked is not None)
+    live(app, 2.0)
+    os.chdir(before)
+    save(window, out)
+    window.may_close = True
+    window.close()
+
+
 def draw_player(app: QApplication, out: Path, folder: Path) -> None:
     """A gallbladder, with the tool at its deepest."""
     path = PUBLISHED / "gallbladder.palpate"
@@ -112,4 +140,5 @@ if __name__ == "__main__":
     application, _ = open_application("en")
     with tempfile.TemporaryDirectory() as made_here:
         draw_editor(application, target / "editor.png", Path(made_here))
+        draw_scene(application, target / "scene.png", Path(made_here))
         draw_player(application, target / "player.png", Path(made_here))

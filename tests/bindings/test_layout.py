@@ -396,3 +396,31 @@ def test_ellipsoids_are_parted_along_where_they_are_nearest():
     found = separate(1, near, [Neighbour(0, still, TAU)])
     assert found.gap < 0.0
     assert found.shift[0] > 0.9 * np.linalg.norm(found.shift)
+
+
+def test_bodies_that_overlap_are_told_with_their_place_and_what_parts_them(tmp_path):
+    path, layout = two_bodies(tmp_path, apart=0.0588)
+
+    checked = check(path, layout, measures=False)
+
+    ((problem, separation),) = checked.separations
+    assert "inside of" in problem.message
+    assert problem in checked.problems
+    assert np.linalg.norm(separation.place - (0.0294, 0.0, 0.0)) < 5e-3
+    assert not any("too far apart" in each.message for each in checked.problems)
+
+
+def test_a_pair_of_a_negative_constant_is_refused():
+    for name in ("thickness", "stiffness", "damping"):
+        with pytest.raises(LayoutError, match=f"{name}: got -1, expected 0 or more"):
+            document.set_pair(Layout(), TouchingPair("a", "b", **{name: -1.0}))
+
+
+def two_bodies(folder: Path, apart: float) -> tuple[Path, Layout]:
+    """Two ellipsoids that may touch, so far [m] from middle to middle along x."""
+    file = write_organ(folder, "organ")
+    bodies = tuple(
+        PlacedBody(name, file.name, hash_file(file), position=(x, 0.0, 0.0))
+        for name, x in (("left", 0.0), ("right", apart))
+    )
+    return folder / "two.layout.json", Layout(bodies=bodies, pairs=(TouchingPair("left", "right"),))

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +34,8 @@ class Checked:
     assembly: Assembly | None
     costs: dict[int, PairCosts]
     """By the number of the pair."""
+    separations: list[tuple[Problem, Separation]] = field(default_factory=list)
+    """What had to be done to bodies, with the problem that tells it."""
 
     @property
     def has_errors(self) -> bool:
@@ -57,21 +59,22 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
         return Checked([Problem(ERROR, "pairs", str(problem))], None, None, {})
     problems = [*find_disagreements(assembly), *find_unpaired(assembly), *note_sleep(assembly)]
     problems += note_hard_parts(layout, assembly)
-    for separation in separate_bodies(assembly):
-        problems.append(describe_separation(layout, separation))
-    checked = Checked(problems, None, assembly, {})
+    parted = [(describe_separation(layout, each), each) for each in separate_bodies(assembly)]
+    problems += [problem for problem, _ in parted]
+    checked = Checked(problems, None, assembly, {}, parted)
     if checked.has_errors:
         return checked
     try:
         scene = build(assembly)
     except ValueError as problem:
         said = name_numbers(layout, str(problem).removeprefix("scene: "))
-        return Checked([*problems, Problem(ERROR, "scene", said)], None, assembly, {})
+        return Checked([*problems, Problem(ERROR, "scene", said)], None, assembly, {}, parted)
     if measures and (scene.rigid or layout.gravity):
         problems += find_unsettled(layout, scene)
     costs = measure_pairs(scene, assembly) if measures else {}
-    problems += find_cost_problems(layout, scene, costs)
-    return Checked(problems, scene, assembly, costs)
+    if measures:
+        problems += find_cost_problems(layout, scene, costs)
+    return Checked(problems, scene, assembly, costs, parted)
 
 
 def find_file_problems(path: Path, layout: Layout) -> list[Problem]:

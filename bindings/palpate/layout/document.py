@@ -233,6 +233,10 @@ def set_pair(layout: Layout, pair: TouchingPair) -> Layout:
         raise LayoutError(
             f"{pair.first}: got a body with itself, expected two; --fold lets it fold"
         )
+    for name in ("thickness", "stiffness", "damping"):
+        value = getattr(pair, name)
+        if not value >= 0.0:
+            raise LayoutError(f"{name}: got {value:g}, expected 0 or more")
     stopped = find_stopped(layout, pair.first, pair.second)
     if stopped is not None:
         scenery, body = stopped

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,8 @@ from palpate.scene.scene_file import hash_file
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
+KEPT = 8
+"""Organs that are read once, as checking, snapping and drawing a layout ask for each."""
 
 
 @dataclass(frozen=True)
@@ -51,10 +54,20 @@ def read_organs(path: Path, layout: Layout) -> list[Organ]:
     return [read_placed(path, body) for body in layout.bodies]
 
 
+@lru_cache(maxsize=KEPT)
+def read_known(path: Path, sha256: str) -> Organ:
+    """As read_organ, of a file with that hash: read once, and never changed by who asks for it."""
+    del sha256
+    return read_organ(path)
+
+
 def read_placed(path: Path, body: PlacedBody) -> Organ:
     file = path.parent / body.file
-    organ = read_organ(file)
-    if hash_file(file) != body.sha256:
+    if not file.is_file():
+        return read_organ(file)  # says what is there
+    found = hash_file(file)
+    organ = read_known(file, found)
+    if found != body.sha256:
         raise Refusal(
             file, "", "another file than was added to the layout",
             f"that one; `palpate scene place {path.name} {body.name} --renew` takes this one",

@@ -48,6 +48,8 @@ class Separation:
     """[m] between them before, below 0 where they overlapped."""
     shift: Floats | None
     """[m] (3,) by which it was moved; None where nothing within MOST_SHIFT was enough."""
+    place: Floats
+    """[m] (3,) where they were nearest, or deepest in each other."""
 
 
 def separate(body: int, surface: Surface, neighbours: list[Neighbour]) -> Separation | None:
@@ -55,14 +57,15 @@ def separate(body: int, surface: Surface, neighbours: list[Neighbour]) -> Separa
     shift = np.zeros(3)
     near = [(n, find_gaps(n.surface, surface, n.thickness, shift)) for n in neighbours]
     worst = [
-        (min(gap.size for gap in gaps), n.index)
+        (gap.size, n.index, tuple(gap.vertex))
         for n, gaps in near
-        if gaps and min(gap.size for gap in gaps) < 0.5 * n.thickness
+        for gap in gaps
+        if gap.size < 0.5 * n.thickness
     ]
     if not worst:
         return None
-    gap, other = min(worst)
-    return Separation(body, other, gap, find_shift(surface, neighbours))
+    size, other, place = min(worst)
+    return Separation(body, other, size, find_shift(surface, neighbours), np.array(place))
 
 
 def find_shift(surface: Surface, neighbours: list[Neighbour]) -> Floats | None:

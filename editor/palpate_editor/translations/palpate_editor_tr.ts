@@ -5,6 +5,190 @@
 <context>
     <name>Editor</name>
     <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Kapat</translation>
+    </message>
+    <message>
+        <source>0: chosen from the two organs</source>
+        <translation>0: iki organdan seçilir</translation>
+    </message>
+    <message>
+        <source>A stone…</source>
+        <translation>Taş…</translation>
+    </message>
+    <message>
+        <source>Add an organ…</source>
+        <translation>Organ ekle…</translation>
+    </message>
+    <message>
+        <source>Add to the scene</source>
+        <translation>Sahneye ekle</translation>
+    </message>
+    <message>
+        <source>Being checked.</source>
+        <translation>Denetleniyor.</translation>
+    </message>
+    <message>
+        <source>Changing the scene</source>
+        <translation>Sahne değiştiriliyor</translation>
+    </message>
+    <message>
+        <source>Checking the scene</source>
+        <translation>Sahne denetleniyor</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Seçilen</translation>
+    </message>
+    <message>
+        <source>Click a part in the view or in the tree to choose it.</source>
+        <translation>Seçmek için görünümde ya da ağaçta bir parçaya tıklayın.</translation>
+    </message>
+    <message>
+        <source>Each pair is pressed together to measure it.</source>
+        <translation>Ölçmek için her çift birbirine bastırılır.</translation>
+    </message>
+    <message>
+        <source>Gap (mm)</source>
+        <translation>Aralık (mm)</translation>
+    </message>
+    <message>
+        <source>In the scene</source>
+        <translation>Sahnede</translation>
+    </message>
+    <message>
+        <source>Its region</source>
+        <translation>Bölgesi</translation>
+    </message>
+    <message>
+        <source>Lay it on</source>
+        <translation>Üstüne yerleştir</translation>
+    </message>
+    <message>
+        <source>Move apart</source>
+        <translation>Ayır</translation>
+    </message>
+    <message>
+        <source>New s&amp;cene…</source>
+        <translation>Yeni s&amp;ahne…</translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation>Yeni sahne</translation>
+    </message>
+    <message>
+        <source>No two that may touch are near enough to be pressed together.</source>
+        <translation>Dokunabilenlerden hiçbiri birbirine bastırılacak kadar yakın değil.</translation>
+    </message>
+    <message>
+        <source>Not published: see the checks on the right.</source>
+        <translation>Yayımlanmadı: sağdaki denetimlere bakın.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with this scene.</source>
+        <translation>Bu sahnede yanlış bir şey yok.</translation>
+    </message>
+    <message>
+        <source>Organs</source>
+        <translation>Organlar</translation>
+    </message>
+    <message>
+        <source>Parts of it may touch each other</source>
+        <translation>Parçaları birbirine dokunabilir</translation>
+    </message>
+    <message>
+        <source>Place published organs, stones and scenery, and say which may touch.</source>
+        <translation>Yayımlanmış organları, taşları ve sabit çevreyi yerleştirin; hangilerinin dokunabileceğini belirtin.</translation>
+    </message>
+    <message>
+        <source>Press each pair</source>
+        <translation>Her çifti bastır</translation>
+    </message>
+    <message>
+        <source>Pressing each pair</source>
+        <translation>Her çift bastırılıyor</translation>
+    </message>
+    <message>
+        <source>Publish the scene</source>
+        <translation>Sahneyi yayımla</translation>
+    </message>
+    <message>
+        <source>Publish the scene…</source>
+        <translation>Sahneyi yayımla…</translation>
+    </message>
+    <message>
+        <source>Reading the scene</source>
+        <translation>Sahne okunuyor</translation>
+    </message>
+    <message>
+        <source>Remove from the scene</source>
+        <translation>Sahneden çıkar</translation>
+    </message>
+    <message>
+        <source>Scenery</source>
+        <translation>Sabit çevre</translation>
+    </message>
+    <message>
+        <source>Scenery…</source>
+        <translation>Sabit çevre…</translation>
+    </message>
+    <message>
+        <source>Scenes ({names})</source>
+        <translation>Sahneler ({names})</translation>
+    </message>
+    <message>
+        <source>Stands at</source>
+        <translation>Konumu</translation>
+    </message>
+    <message>
+        <source>Stands at (mm)</source>
+        <translation>Konumu (mm)</translation>
+    </message>
+    <message>
+        <source>Stones</source>
+        <translation>Taşlar</translation>
+    </message>
+    <message>
+        <source>The scene has changed meanwhile: try again.</source>
+        <translation>Sahne bu arada değişti: yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Dönüşü</translation>
+    </message>
+    <message>
+        <source>What may touch</source>
+        <translation>Dokunabilenler</translation>
+    </message>
+    <message>
+        <source>With two organs you say here whether they touch.</source>
+        <translation>İki organ olunca dokunup dokunmadıklarını burada belirtirsiniz.</translation>
+    </message>
+    <message>
+        <source>onto</source>
+        <translation>şunun üstüne</translation>
+    </message>
+    <message>
+        <source>stiff (N/mm³)</source>
+        <translation>sertlik (N/mm³)</translation>
+    </message>
+    <message>
+        <source>thick (mm)</source>
+        <translation>kalınlık (mm)</translation>
+    </message>
+    <message>
+        <source>{name} was moved {far} mm away from {other}.</source>
+        <translation>{name}, {other} parçasından {far} mm uzaklaştırıldı.</translation>
+    </message>
+    <message>
+        <source>{one} and {other}</source>
+        <translation>{one} ve {other}</translation>
+    </message>
+    <message>
+        <source>{one} stops {other}</source>
+        <translation>{one}, {other} için engeldir</translation>
+    </message>
+    <message>
         <source>A ball of 10 mm around a point of the organ</source>
         <translation>Organın bir noktası çevresinde 10 mm yarıçaplı bir küre</translation>
     </message>

@@ -20,7 +20,7 @@ INSTEAD = (
 
 def add_editor(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "file", type=Path, nargs="?", help=".organ, .palpate or mesh file to begin with"
+        "file", type=Path, nargs="?", help=".organ, .palpate, mesh or layout to begin with"
     )
     parser.add_argument("--theme", choices=("dark", "light"), help="default: as chosen last")
     parser.add_argument("--language", choices=LANGUAGES, help="default: as chosen last")
@@ -28,7 +28,7 @@ def add_editor(parser: argparse.ArgumentParser) -> None:
 
 def run_editor(call: argparse.Namespace) -> Report:
     if call.file is not None and not call.file.is_file():
-        raise Refusal(call.file, "", "no such file", "an .organ, a .palpate or a mesh file")
+        raise Refusal(call.file, "", "no such file", "an .organ, a .palpate, a mesh or a layout")
     require_display(INSTEAD)
     logging.basicConfig(level=logging.WARNING, format="palpate editor: %(message)s")
     from palpate_editor.views.start import open_window

@@ -45,6 +45,8 @@ class Context(QObject):
     """An organ is to be cut out of a scan: its path, or None for one to be chosen."""
     preview_shown = Signal(bool)
     """The view shows something else than the open organ, or the organ again."""
+    layout_wanted = Signal(object, bool)
+    """A layout is to be opened in a window of its own: its path, and whether it is a new one."""
     distance_wanted = Signal(bool)
     long_edit_wanted = Signal(object)
     """An edit that takes seconds is to be done beside the window."""

@@ -8,6 +8,7 @@ import logging
 from pathlib import Path
 
 from palpate import FileError
+from palpate.files.refusal import Refusal
 from palpate.translation import install
 from palpate.translation.refusals import read_patterns
 from PySide6.QtCore import QLocale, QObject, QTimer
@@ -18,6 +19,7 @@ from palpate_editor.app.open_document import OpenDocument
 from palpate_editor.app.recovery import Recovery, find_recoveries, find_recovery_folder
 from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
+from palpate_editor.views.layout.layout_window import LayoutWindow
 from palpate_editor.views.sentences import ExceptHook
 from palpate_editor.views.translations import tr
 from palpate_editor.views.window import MainWindow
@@ -51,6 +53,9 @@ class Editor(QObject):
         self.session.title_changed.connect(self.take_document)
         self.hook = ExceptHook(self)
         self.hook.install()
+        self.layouts: list[LayoutWindow] = []
+        """Windows of scenes that are open."""
+        self.is_ending = False
         self.recoveries: list[Recovery] = []
         self.question: QMessageBox | None = None
         # widgets must die in the window's thread: a collection in a worker would end them there
@@ -75,6 +80,7 @@ class Editor(QObject):
         self.autosave.saved.connect(window.status.show_autosaved)
         self.autosave.failed.connect(window.context.tell)
         self.hook.caught.connect(window.context.tell)
+        window.context.layout_wanted.connect(self.open_layout)
         window.closed.connect(self.finish)
         return window
 
@@ -99,6 +105,34 @@ class Editor(QObject):
 
     def sweep(self) -> None:
         gc.collect()
+
+    # ------------------------------------------------------------ scenes
+
+    def open_layout(self, path: Path, is_new: bool = False) -> None:
+        """A scene in a window of its own; a refusal is said in the main one."""
+        theme = self.window.context.theme
+        layout = LayoutWindow(self.settings, theme)
+        try:
+            if is_new:
+                layout.begin(path)
+            else:
+                layout.open(path)
+        except (Refusal, OSError) as problem:
+            layout.may_close = True
+            layout.deleteLater()
+            self.window.context.refuse(problem)
+            return
+        self.layouts.append(layout)
+        layout.closed.connect(self.forget_layout)
+        layout.show()
+
+    def forget_layout(self) -> None:
+        """A window of a scene has closed."""
+        layout = self.sender()
+        self.layouts = [each for each in self.layouts if each is not layout]
+        layout.deleteLater()
+        if self.is_ending:
+            self.finish()
 
     # ------------------------------------------------------------ language
 
@@ -168,7 +202,10 @@ class Editor(QObject):
                 self.ask_recovery()
 
     def finish(self) -> None:
-        """The last window has closed."""
+        """The main window has closed; what ends now may still be used by those of scenes."""
+        self.is_ending = True
+        if self.layouts:
+            return
         self.sweeper.stop()
         self.autosave.finish()
         self.document.release()

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from palpate import FileError
+from palpate.files.file_kind import LAYOUT, find_kind
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
@@ -31,6 +32,14 @@ SOME_MESHES = f"{', '.join(MESHES[:8])} ..."
 
 def is_document(path: Path) -> bool:
     return path.suffix.lower() in DOCUMENTS or path.name.endswith(".scene.json")
+
+
+def is_layout(path: Path) -> bool:
+    """A scene of several organs, as `palpate scene` writes it."""
+    try:
+        return path.suffix.lower() == ".json" and find_kind(path) == LAYOUT
+    except OSError:
+        return False
 
 
 def is_replaceable(organ: Organ, path: Path) -> bool:
@@ -130,11 +139,13 @@ class Files(QObject):
         self.guard(self.show_open_dialog)
 
     def show_open_dialog(self) -> None:
-        names = " ".join(f"*{ending}" for ending in (*DOCUMENTS, ".scene.json", *MESHES))
+        endings = (*DOCUMENTS, ".scene.json", ".layout.json", *MESHES)
+        names = " ".join(f"*{ending}" for ending in endings)
         filters = [
             tr("Organs and meshes ({names})").format(names=names),
             tr("Organ documents (*.organ)"),
             tr("Published scenarios (*.palpate)"),
+            tr("Scenes ({names})").format(names="*.layout.json"),
             tr("All files (*)"),
         ]
         self.ask(tr("Open"), filters, self.load_name)
@@ -167,6 +178,9 @@ class Files(QObject):
 
     def open(self, path: Path) -> None:
         """Opens a document or imports a mesh, after asking about unsaved changes."""
+        if is_layout(path):  # takes nothing from the organ
+            self.load(path)
+            return
         self.wanted = path
         self.guard(self.load_wanted)
 
@@ -178,6 +192,9 @@ class Files(QObject):
         """Opens a document, or imports a mesh into a new one."""
         if not path.is_file():
             self.context.tell(tr("There is no file {file}.").format(file=path))
+            return
+        if is_layout(path):
+            self.context.layout_wanted.emit(path, False)
             return
         if is_mesh(path):
             self.mesh = ImportWork(path)
@@ -235,7 +252,7 @@ class Files(QObject):
 
     def drop(self, paths: list[Path]) -> None:
         """Files were dropped on the window: the first one that can be used is."""
-        usable = [path for path in paths if is_mesh(path) or is_document(path)]
+        usable = [p for p in paths if is_mesh(p) or is_document(p) or is_layout(p)]
         if not usable:
             names = ", ".join(path.name for path in paths) or tr("Nothing")
             self.context.tell(
@@ -255,6 +272,16 @@ class Files(QObject):
     def show_empty(self) -> None:
         self.context.session.clear()
         self.context.show_stage("import")
+
+    def ask_new_scene(self) -> None:
+        """A scene of several organs belongs to a file from the beginning."""
+        filters = [tr("Scenes ({names})").format(names="*.layout.json")]
+        self.ask(tr("New scene"), filters, self.begin_scene, save="scene.layout.json")
+
+    def begin_scene(self, name: str) -> None:
+        path = Path(name)
+        named = path if path.suffix == ".json" else path.with_name(path.name + ".layout.json")
+        self.context.layout_wanted.emit(named, True)
 
     # ------------------------------------------------------------ saving
 

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication
 
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
+from palpate_editor.views.files import is_layout
 
 
 def open_window(file: Path | None, theme: str | None, language: str | None) -> Report:
@@ -24,8 +25,11 @@ def open_window(file: Path | None, theme: str | None, language: str | None) -> R
     editor = Editor(app, Settings(), theme=theme, language=language)
     # Ctrl+C in the terminal: Qt's loop would not let Python hear it; what is unsaved is recovered
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    editor.show()
-    if file is not None:
-        editor.window.files.open(file)
+    if file is not None and is_layout(file):
+        editor.open_layout(file)
+    if not editor.layouts:
+        editor.show()
+        if file is not None:
+            editor.window.files.open(file)
     code = app.exec()
     return {"closed": True, "code": code}
