@@ -139,6 +139,19 @@ def test_an_arrow_moves_along_its_axis_and_the_log_says_what_does_the_same(scene
     assert read_layout(two).now == scene.session.layout
 
 
+def test_handles_of_a_small_stone_can_be_held_from_afar(qtbot, scene):
+    scene.choose("stone")
+    scene.view.camera.distance *= 6.0
+    scene.view.update()
+    stone = scene.shapes[("stone.obj", part(scene, "stone").sha256, 1e-3)]
+
+    qtbot.waitUntil(lambda: scene.mover.reach > 4.0 * stone.radius, timeout=PATIENCE)
+
+    size = scene.view.pixel_size_at(scene.mover.middle)
+    assert scene.mover.reach / size == pytest.approx(45.0, rel=0.11)
+    assert scene.mover.find(QPointF(handle_pixel(scene, Handle(False, 2)))) is not None
+
+
 def test_a_ring_turns_about_the_middle_of_the_part(scene):
     scene.choose("right")
     middle = scene.mover.middle.copy()

@@ -29,8 +29,9 @@ ARM, RING = 1.45, 1.12
 """[-] of the part's radius: to the ends of the arrows, and of the rings."""
 THIN, THICK = 0.008, 0.016
 """[-] Likewise: of rings and of shafts."""
-LEAST = 4e-3
-"""[m] of that radius: a stone of a millimetre has handles that can be held."""
+LEAST, KEPT = 45.0, 0.1
+"""[px] of that radius, so that handles of a stone can be held.
+[-] By what share it may be wrong before they are drawn anew."""
 NEAR = 9.0
 """[px] from a handle that is meant."""
 AROUND = 64
@@ -64,11 +65,12 @@ class MoveGizmo(QObject):
         super().__init__(view)
         self._view, self._drawing = view, drawing
         self.part: Any = None
-        self.middle, self.reach = np.zeros(3), LEAST
+        self.middle, self.reach, self._radius = np.zeros(3), 1.0, 1.0
         self.held: Handle | None = None
         self._start: Any = None
         self._from = QPointF()
         self._moved: Any = None
+        view.frame_drawn.connect(self.follow)
 
     def show(self, part: Placed | None, shape: PartShape | None) -> None:
         """At a part, or nowhere."""
@@ -76,8 +78,22 @@ class MoveGizmo(QObject):
             self.part = part if shape is not None else None
             if part is not None and shape is not None:
                 self.middle = find_middle(shape, part)
-                self.reach = max(shape.radius, LEAST)
+                self._radius = shape.radius
+                self.reach = self._find_reach()
             self._draw()
+
+    def follow(self) -> None:
+        """As large as the camera needs it, which may have moved."""
+        if self.part is None or self.held is not None:
+            return
+        reach = self._find_reach()
+        if abs(reach / self.reach - 1.0) > KEPT:
+            self.reach = reach
+            self._draw()
+
+    def _find_reach(self) -> float:
+        """[m]"""
+        return max(self._radius, LEAST * self._view.pixel_size_at(self.middle))
 
     # ------------------------------------------------------------ a view's tool
 
