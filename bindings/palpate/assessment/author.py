@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import copy
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from palpate.assessment.sentences import say_limit, say_step
@@ -57,8 +57,19 @@ def make_id(text: str, taken: Iterable[str] = ()) -> str:
     return name
 
 
-def new_assessment(organ: str, titles: Mapping[str, str], identity: str = "") -> Json:
-    """Of one organ, without steps yet; `titles` by code of the language, with English."""
+def make_ids(texts: Iterable[str]) -> list[str]:
+    """Of each another."""
+    made: list[str] = []
+    for text in texts:
+        made.append(make_id(text, made))
+    return made
+
+
+def new_assessment(
+    organ: str, titles: Mapping[str, str], identity: str = "", bodies: Sequence[str] = ()
+) -> Json:
+    """Of one organ, without steps yet; `titles` by code of the language, with English. Of a scene
+    of several organs `bodies` has the id of each."""
     if not titles.get("en"):
         raise AuthorError("title: got none in English, expected one")
     return {
@@ -66,7 +77,8 @@ def new_assessment(organ: str, titles: Mapping[str, str], identity: str = "") ->
         "id": identity or make_id(titles["en"]),
         "version": "1.0.0",
         "title": "title",
-        "organs": {make_id(organ): {}},
+        "organs": {name: {"body": number} for number, name in enumerate(bodies)}
+        or {make_id(organ): {}},
         "tools": {"tip": {"kind": "grasper"}},
         "places": {},
         "steps": [],

@@ -68,7 +68,11 @@ def add_instruments(tools: Iterable[object], scene: palpate.Scene) -> palpate.Sc
     return palpate.build_scene(
         palpate.Scene(
             bodies=list(scene.bodies),
+            rigid=list(scene.rigid),
+            scenery=list(scene.scenery),
+            fluid=scene.fluid,
             instruments=[*scene.instruments, *more],
+            body_pairs=list(scene.body_pairs),
             gravity=scene.gravity,
             rate=scene.rate,
             exchange_rate=scene.exchange_rate,

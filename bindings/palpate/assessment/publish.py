@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from palpate import scenario
-from palpate.assessment.author import without_muted
+from palpate.assessment.author import make_ids, without_muted
 from palpate.assessment.inclusion import gather_constants
 from palpate.assessment.instruments import shape_tools
 from palpate.files.read_file import read_file
@@ -51,6 +51,16 @@ def find_regions(file: object, published: scenario.Scenario) -> dict[str, NDArra
         raise Refusal(file, "authored", "no regions", "what `palpate publish` writes") from None
 
 
+def list_bodies(published: scenario.Scenario) -> list[str]:
+    """The ids of the bodies of a scene that `palpate scene publish` wrote, as its regions have
+    them; of all else none."""
+    try:
+        bodies = json.loads(published.authored)["content"]["layout"]["bodies"]
+        return make_ids(str(body["name"]) for body in bodies)
+    except (ValueError, LookupError, TypeError, RecursionError):
+        return []
+
+
 def gather_places(
     file: object, assessment: Mapping[str, Any], published: scenario.Scenario
 ) -> dict[str, NDArray[np.int32]]:
@@ -65,7 +75,8 @@ def gather_places(
         if not isinstance(said, str):
             continue  # what is wrong with it says the reader
         regions = find_regions(file, published)
-        region = said.partition("/")[2]
+        # a scene of several organs has them with the organ's name
+        region = said if said in regions else said.partition("/")[2]
         if region not in regions:
             known = ", ".join(regions)
             raise Refusal(file, f"places.{name}.region", repr(said), f"organ/region, of {known}")

@@ -12,7 +12,7 @@ from typing import Any
 from palpate import scenario
 from palpate.assessment import author, author_tools
 from palpate.assessment.author import AuthorError, Json
-from palpate.assessment.publish import find_regions, read_assessment
+from palpate.assessment.publish import find_regions, list_bodies, read_assessment
 from palpate.cli import scenario_tools, scenario_values
 from palpate.cli.scenario_places import add_at, find_place
 from palpate.command.output import add_output
@@ -121,10 +121,11 @@ def add_say(parser: argparse.ArgumentParser) -> None:
 def run_new(call: argparse.Namespace) -> Report:
     published = scenario.read(call.organ)
     regions = list(find_regions(call.organ, published))
-    if len(published.scene.bodies) != 1 or len(published.scene.instruments) != 1:
+    bodies = list_bodies(published)
+    if len(published.scene.instruments) != 1 or len(published.scene.bodies) != (len(bodies) or 1):
         raise Refusal(call.organ, "scene", "several bodies or tools", "one of each")
     titles = {"en": call.title, "tr": call.title_tr}
-    made = author.new_assessment(call.organ.stem, titles, call.id)
+    made = author.new_assessment(call.organ.stem, titles, call.id, bodies)
     if call.time is not None:
         made["finish"]["time_limit_s"] = call.time
     return write(call.out, made, {"regions": regions})

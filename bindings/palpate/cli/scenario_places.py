@@ -12,8 +12,8 @@ def add_at(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--at",
         metavar="PLACE",
-        help="a place of the assessment, region:NAME of the organ, ball:X,Y,Z,RADIUS or "
-        "path:X,Y,Z:X,Y,Z..., in metres",
+        help="a place of the assessment, region:NAME of the organ (of several region:ORGAN/NAME), "
+        "ball:X,Y,Z,RADIUS or path:X,Y,Z:X,Y,Z..., in metres",
     )
 
 
@@ -22,7 +22,8 @@ def find_place(made: Json, told: str) -> Json:
     kind, _, rest = told.partition(":")
     organ = next(iter(made["organs"]))
     if kind == "region":
-        return {"region": f"{organ}/{rest}"}
+        named = rest.partition("/")[0] in made["organs"]
+        return {"region": rest if named else f"{organ}/{rest}"}
     if kind == "ball":
         return {"organ": organ, "ball": read_numbers(rest, 4)}
     if kind == "path":

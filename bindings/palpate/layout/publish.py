@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 
 import palpate
 from palpate import scenario
+from palpate.assessment.author import make_ids
+from palpate.assessment.publish import find_regions
+from palpate.files.refusal import Refusal
 from palpate.layout.assemble import Assembly
 from palpate.layout.document import FORMAT, VERSION, Layout
 from palpate.layout.placed import Organ
@@ -25,15 +28,34 @@ def make_scenario(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> s
     appearance = read_appearance(assembly.organs[0])
     if appearance is not None:
         content["appearance"] = appearance
+    regions = join_regions(layout, assembly.organs)
+    content["regions"] = list(regions)
     words = {"tr": scenario.Words(layout.title_tr, layout.task_tr)}
     return scenario.Scenario(
         scene=scene,
         title=layout.title or " + ".join(body.name for body in layout.bodies),
         task=layout.task,
         authored=json.dumps({"format": FORMAT, "version": VERSION, "content": content}),
-        authored_arrays={"colours": join_colours(assembly.organs)},
+        authored_arrays={
+            "colours": join_colours(assembly.organs),
+            **{f"regions/{number}": rows for number, rows in enumerate(regions.values())},
+        },
         languages=words if layout.title_tr or layout.task_tr else {},
     )
+
+
+def join_regions(layout: Layout, organs: list[Organ]) -> dict[str, NDArray[np.int32]]:
+    """By `organ/region`, as a task names them, the organ by the id of its name in the layout:
+    the vertices of its body's surface."""
+    joined: dict[str, NDArray[np.int32]] = {}
+    names = make_ids(body.name for body in layout.bodies)
+    for name, organ in zip(names, organs, strict=True):
+        try:
+            regions = find_regions(organ.path, organ.published)
+        except Refusal:
+            continue  # an organ from code has none
+        joined |= {f"{name}/{region}": rows for region, rows in regions.items()}
+    return joined
 
 
 def read_appearance(organ: Organ) -> object:
