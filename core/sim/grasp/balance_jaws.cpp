@@ -6,6 +6,7 @@
 
 #include "palpate/sim/base/private/limit.h"
 #include "palpate/sim/contact/private/broad_phase.h"
+#include "palpate/sim/contact/private/pull_slope.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/grasp/private/jaw_touch.h"
 
@@ -95,7 +96,8 @@ Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, cons
   residual[3] -= drag * turned;
   Eigen::Matrix4d jacobian;
   jacobian.topLeftCorner<3, 3>() =
-      around.coupling.stiffness * Mat3::Identity() + touch.stiffness + anchors.stiffness;
+      find_pull_slope(around.coupling, to_hand, touch.force, residual.head<3>()) +
+      touch.stiffness + anchors.stiffness;
   jacobian.topRightCorner<3, 1>() = touch.mixed + anchors.mixed;
   jacobian.bottomLeftCorner<1, 3>() = (touch.mixed + anchors.mixed).transpose();
   // jaws that nothing resists turn as far as they may
@@ -121,7 +123,10 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
             JawPlace& place) noexcept {
   const JawPlace start = place;
   const Candidates& path = *around.surfaces[0].front().candidates;
-  for (int i = 0; i < (soft ? kNewtonStepsNear : kNewtonSteps); ++i) {
+  for (int i = 0; i < kNewtonStepsNear; ++i) {
+    // one at its limit that has lost the surface goes far beyond it first
+    const bool last = i == kNewtonSteps && !soft;
+    if (last && !is_at_limit(around.coupling, around.hand - place.position)) break;
     follow_sides(around, place);
     const JawTouch touch = compute_touch(around, place);
     Step step;

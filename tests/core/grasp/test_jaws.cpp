@@ -113,3 +113,70 @@ TEST_CASE("an anchor pulls as a spring, slips at mu N, and goes with what presse
   CHECK(state.anchor_count == 0);
   CHECK_FALSE(state.pinches);
 }
+
+namespace {
+
+/// Closed jaws above a ball that gives nowhere, each of which may touch all of it.
+struct Poke {
+  explicit Poke(double force_max)
+      : coupling{.stiffness = 1000.0, .force_max = force_max},
+        first(static_cast<int>(mesh.triangles.size())),
+        load(8 * static_cast<int>(mesh.triangles.size())) {
+    for (const Triangle& t : mesh.triangles) {
+      const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
+      first.triangles[static_cast<std::size_t>(first.count)] = first.count;
+      first.areas[static_cast<std::size_t>(first.count++)] = 0.5 * (b - a).cross(c - a).norm();
+    }
+    second = first;
+    state.placed = true;
+    state.grip_limit = tool.jaws->grip;
+  }
+  const Vec3& corner(const Triangle& t, std::size_t c) const {
+    return mesh.vertices[static_cast<std::size_t>(t[c])];
+  }
+
+  Vec3 move_hand(const Vec3& hand) {
+    first.to = second.to = hand;
+    first.from = second.from = state.position;
+    const TouchedSurface one{&first, mesh.triangles, mesh.vertices, &load};
+    TouchedSurface other = one;
+    other.candidates = &second;
+    return balance_jaws(tool, coupling, hand, {{{&one, 1}, {&other, 1}}}, 5e-5, state);
+  }
+  Vec3 push() const {
+    Vec3 sum = Vec3::Zero();
+    for (const Push& push : load.pushes()) sum += push.force;
+    return sum;
+  }
+
+  SurfaceMesh mesh = scenes::make_ellipsoid(Vec3::Constant(0.025), 3);
+  Tool tool = scenes::make_grasper(0.5, 5.0);
+  Coupling coupling;
+  Candidates first, second;
+  Load load;
+  ToolState state{0, 0, 64};
+};
+
+}  // namespace
+
+TEST_CASE("jaws of a weak hand that have lost the surface find it again without a blow") {
+  // they go to the hand first, millimetres behind the surface, and come back in the same call
+  for (const double force : {0.005, 0.05, 0.5}) {
+    for (const double deep : {0.5e-3, 1e-3, 3e-3}) {
+      CAPTURE(force);
+      CAPTURE(deep);
+      Poke poke(force);
+      const double above = 0.025 + scenes::kJawRadius + 2e-5;
+      poke.state.position = Vec3(0.0, 0.0, above);
+      poke.move_hand({0, 0, above});
+      REQUIRE(!poke.state.touching);
+
+      const Vec3 felt = poke.move_hand({0, 0, above - deep});
+
+      CHECK(felt.norm() <= force * (1.0 + 1e-12));
+      // what is left of it goes on in the next substep; it was 20 to 30 times the weakest hand's
+      CHECK(poke.push().norm() < 1.3 * force);
+      CHECK(poke.state.residual.norm() < 0.3 * force);
+    }
+  }
+}
