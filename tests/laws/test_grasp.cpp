@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -87,45 +88,72 @@ double let_go(GraspingHand& hand) {
   return worst / held;
 }
 
-// at 5 N the patch goes on changing while the last of it begins to slip
-void check_slip(double grip, double mu) {
+/// What slips carries at the most, over mu times what presses it, and N as part of the pinch.
+void check_slip(double grip, double mu, int rounds, double least) {
   CAPTURE(grip);
   CAPTURE(mu);
+  CAPTURE(rounds);
   const Scene scene =
-      scenes::make_grasped_slab(scenes::make_grasper(mu, grip), 1000.0, 3e7, 1000.0);
+      scenes::make_grasped_slab(scenes::make_grasper(mu, grip), 1000.0, 3e7, 1000.0, rounds);
   const Sliding sliding = draw_out(scene, mu);
   MESSAGE("N ", grip, ", mu ", mu, ": ", sliding.least, " to ", sliding.most, ", as a vector ",
           sliding.vector, ", of the pinch ", sliding.share);
-  CHECK(sliding.share > 0.9);
+  CHECK(sliding.share > least);
   CHECK(sliding.most < 1.0 + 1e-9);
-  CHECK(sliding.most > (grip > 1.0 ? 0.9 : 0.97));
+  CHECK(sliding.most > least);
 }
+
+constexpr int kRound = 4;  // pieces of the half circle at the rim of a slab
 
 }  // namespace
 
-TEST_CASE("G1: jaws slip at 2 mu N within 3 %") { check_slip(1.0, 0.5); }
+TEST_CASE("G1: jaws slip at 2 mu N within 3 %") { check_slip(1.0, 0.5, kRound, 0.97); }
 
-TEST_CASE("G1: jaws of every grip slip at 2 mu N, within 3 % up to 1 N and a tenth at 5 N" *
-          doctest::test_suite("landing")) {
+TEST_CASE("G1: jaws of every grip slip at 2 mu N within 3 %" * doctest::test_suite("landing")) {
   for (const double grip : {0.2, 1.0, 5.0}) {
-    for (const double mu : {0.3, 0.5}) check_slip(grip, mu);
+    for (const double mu : {0.3, 0.5}) check_slip(grip, mu, kRound, 0.97);
   }
+}
+
+TEST_CASE("G1: walls of prisms and solids slip at 2 mu N within 3 %" *
+          doctest::test_suite("landing")) {
+  const Tool pinch = scenes::make_grasper(kFriction, 1.0);
+  const Tool gentle = scenes::make_grasper(kFriction, 0.1);
+  const std::array held{scenes::make_grasped_wall(pinch, 1000.0),
+                        scenes::make_grasped_block(gentle, 1000.0, build_solid),
+                        scenes::make_grasped_block(gentle, 1000.0, build_linear_solid)};
+  for (const Scene& scene : held) {
+    const Sliding sliding = draw_out(scene, kFriction);
+    MESSAGE(sliding.least, " to ", sliding.most, ", as a vector ", sliding.vector,
+            ", of the pinch ", sliding.share);
+    CHECK(sliding.share > 0.97);
+    CHECK(sliding.most > 0.97);
+    CHECK(sliding.most < 1.0 + 1e-9);
+  }
+}
+
+// At a rim of two right angles triangles are seen edge-on, where a contact fades: jaws that pinch
+// hard chatter about it, and what slips keeps the least that it has been pressed with.
+TEST_CASE("G1: about a rim with sharp edges they reach nine tenths of it" *
+          doctest::test_suite("landing")) {
+  for (const double mu : {0.3, 0.5}) check_slip(5.0, mu, 1, 0.9);
 }
 
 namespace {
 
-void check_hold(double coupling) {
+/// A hand of each stiffness draws what it holds out by `way` [m].
+void check_hold(const Scene& scene, double way, double least) {
+  const double coupling = scene.instruments[0].coupling.stiffness;
   CAPTURE(coupling);
-  const Scene scene = scenes::make_grasped_slab(scenes::make_grasper(kFriction, 1.0), coupling);
   GraspingHand hand(scene);
   hand.close();
   hand.wait(0.2);
-  hand.go(0.003, 0.15);
+  hand.go(way, 0.15);
   hand.wait(0.5);
   const Hold hold = measure_hold(hand, 1.0);
   MESSAGE("K ", coupling, ": ", hold.mean, " N, peak to peak ", 100.0 * hold.swing / hold.mean,
           " %, drift ", 1e6 * hold.drift, " um");
-  CHECK(hold.mean > 0.2);
+  CHECK(hold.mean > least);
   CHECK(hold.swing < 0.01 * hold.mean);
   CHECK(hold.drift < 1e-5);
   CHECK(hand.tool().pinches);
@@ -175,7 +203,19 @@ void check_again(int times) {
 }  // namespace
 
 TEST_CASE("G2: a held grasp comes to rest for every hand" * doctest::test_suite("landing")) {
-  for (const double coupling : {200.0, 500.0, 1000.0}) check_hold(coupling);
+  const Tool tool = scenes::make_grasper(kFriction, 1.0);
+  for (const double coupling : {200.0, 500.0, 1000.0}) {
+    check_hold(scenes::make_grasped_slab(tool, coupling), 0.003, 0.2);
+    check_hold(scenes::make_grasped_wall(tool, coupling), 0.002, 0.2);
+  }
+}
+
+TEST_CASE("G2: and so does one of a solid" * doctest::test_suite("landing")) {
+  const Tool tool = scenes::make_grasper(kFriction, 0.1);
+  for (const double coupling : {200.0, 500.0, 1000.0}) {
+    check_hold(scenes::make_grasped_block(tool, coupling, build_solid), 0.001, 0.02);
+    check_hold(scenes::make_grasped_block(tool, coupling, build_linear_solid), 0.001, 0.02);
+  }
 }
 
 TEST_CASE("G2: a grasp that is held for a minute keeps its load" * doctest::test_suite("landing")) {
@@ -189,6 +229,25 @@ TEST_CASE("G2: a grasp that is held for a minute keeps its load" * doctest::test
   MESSAGE("drift ", 1e6 * hold.drift, " um, ", 1e3 * hold.swing, " mN");
   CHECK(hold.drift < 1e-5);
   CHECK(hold.swing < 500.0 * 1e-5);  // K times the most drift; the goal of 1 mN is missed
+}
+
+TEST_CASE("G2: a wall of prisms and a solid creep in jaws by less than 1 um in 10 s" *
+          doctest::test_suite("landing")) {
+  const Tool pinch = scenes::make_grasper(kFriction, 1.0);
+  const Tool gentle = scenes::make_grasper(kFriction, 0.1);
+  const std::array held{scenes::make_grasped_wall(pinch, 500.0),
+                        scenes::make_grasped_block(gentle, 500.0, build_solid)};
+  for (const Scene& scene : held) {
+    GraspingHand hand(scene);
+    hand.close();
+    hand.wait(0.2);
+    hand.go(0.0015, 0.1);
+    hand.wait(1.0);
+    const Hold hold = measure_hold(hand, 10.0);
+    MESSAGE("drift ", 1e9 * hold.drift, " nm, ", 1e6 * hold.swing, " uN");
+    CHECK(hand.tool().pinches);
+    CHECK(hold.drift < 1e-6);
+  }
 }
 
 TEST_CASE("G3: what is let go steps by no more than a tenth of its load") { check_release(500.0); }
@@ -214,6 +273,8 @@ TEST_CASE("G6: what grasps again holds as much as the first time, with the same 
 }
 
 TEST_CASE("G6: and again" * doctest::test_suite("landing")) { check_again(100); }
+
+TEST_CASE("G6: and a thousand times" * doctest::test_suite("verify")) { check_again(1000); }
 
 TEST_CASE("T9: what jaws do to tissue is what the hand feels, and its torque the tool's") {
   const Scene scene = scenes::make_grasped_slab(scenes::make_grasper(kFriction, 1.0), 500.0);

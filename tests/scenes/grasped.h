@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <utility>
 
 #include "palpate/sim/model/build_surface.h"
@@ -27,20 +28,34 @@ inline Tool make_grasper(double friction, double grip) {
   return tool;
 }
 
-/// A closed slab, x from 0 to `size`[0], y and z about 0, with edges of about `edge` [m].
-inline SurfaceMesh make_slab(const Vec3& size, double edge) {
+/// A closed slab, x from 0 to `size`[0], y and z about 0, with edges of about `edge` [m]. With
+/// `rounds` its rim at the largest x is half a circle of so many pieces, one plane without.
+inline SurfaceMesh make_slab(const Vec3& size, double edge, int rounds = 1) {
   SurfaceMesh mesh;
-  const int nx = static_cast<int>(std::lround(size.x() / edge));
+  const double radius = 0.5 * size.z(), end = rounds > 1 ? size.x() - radius : size.x();
+  const int nx = static_cast<int>(std::lround(end / edge));
   const int ny = static_cast<int>(std::lround(size.y() / edge));
   const auto id = [&](int i, int j, int face) { return (face * (ny + 1) + j) * (nx + 1) + i; };
+  const auto across = [&](int j) { return size.y() * (double(j) / ny - 0.5); };
   for (int face = 0; face < 2; ++face) {
     for (int j = 0; j <= ny; ++j) {
       for (int i = 0; i <= nx; ++i) {
-        mesh.vertices.emplace_back(size.x() * i / nx, size.y() * (double(j) / ny - 0.5),
-                                   size.z() * (face - 0.5));
+        mesh.vertices.emplace_back(end * i / nx, across(j), size.z() * (face - 0.5));
       }
     }
   }
+  const int flat = static_cast<int>(mesh.vertices.size());
+  for (int j = 0; j <= ny; ++j) {
+    for (int k = 1; k < rounds; ++k) {
+      const double angle = std::numbers::pi * k / rounds;
+      mesh.vertices.emplace_back(end + radius * std::sin(angle), across(j),
+                                 -radius * std::cos(angle));
+    }
+  }
+  // from the lower face, k = 0, to the upper one
+  const auto rim = [&](int k, int j) {
+    return k == 0 ? id(nx, j, 0) : k == rounds ? id(nx, j, 1) : flat + j * (rounds - 1) + k - 1;
+  };
   const auto add = [&](int a, int b, int c, int d) {
     mesh.triangles.push_back({a, b, c});
     mesh.triangles.push_back({a, c, d});
@@ -57,14 +72,20 @@ inline SurfaceMesh make_slab(const Vec3& size, double edge) {
   }
   for (int j = 0; j < ny; ++j) {
     add(id(0, j, 0), id(0, j, 1), id(0, j + 1, 1), id(0, j + 1, 0));
-    add(id(nx, j, 0), id(nx, j + 1, 0), id(nx, j + 1, 1), id(nx, j, 1));
+    for (int k = 0; k < rounds; ++k) {
+      add(rim(k, j), rim(k, j + 1), rim(k + 1, j + 1), rim(k + 1, j));
+    }
+  }
+  for (int k = 1; k < rounds; ++k) {
+    mesh.triangles.push_back({rim(0, 0), rim(k, 0), rim(k + 1, 0)});
+    mesh.triangles.push_back({rim(0, ny), rim(k + 1, ny), rim(k, ny)});
   }
   return mesh;
 }
 
-/// Springs on home springs, 30 x 30 x 4 mm; its rim is at x = 30 mm.
+/// Springs on home springs, 30 x 30 x 4 mm; its rim is at x = 30 mm, `rounds` as of make_slab().
 inline Scene make_grasped_slab(const Tool& tool, double coupling, double home = 3e6,
-                               double spring = 100.0) {
+                               double spring = 100.0, int rounds = 1) {
   SurfaceOptions options;
   options.home_stiffness = home;
   options.drag = 60.0;
@@ -72,7 +93,7 @@ inline Scene make_grasped_slab(const Tool& tool, double coupling, double home = 
   Scene scene;
   scene.bodies[0].kernel = kernel_under_test();
   scene.bodies[0].tissue =
-      build_mass_spring(make_slab({0.03, 0.03, 0.004}, 0.0015), wall, spring, options);
+      build_mass_spring(make_slab({0.03, 0.03, 0.004}, 0.0015, rounds), wall, spring, options);
   scene.instruments[0].tool = tool;
   scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
   return build_scene(std::move(scene));
