@@ -10,7 +10,6 @@
 #include "palpate/sim/contact/private/friction.h"
 #include "palpate/sim/contact/private/list_contacts.h"
 #include "palpate/sim/contact/private/near_contact.h"
-#include "palpate/sim/contact/private/pull_slope.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {

@@ -6,7 +6,7 @@
 
 #include "palpate/sim/base/private/limit.h"
 #include "palpate/sim/contact/private/broad_phase.h"
-#include "palpate/sim/contact/private/pull_slope.h"
+#include "palpate/sim/contact/private/friction.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/grasp/private/jaw_touch.h"
 
@@ -96,8 +96,8 @@ Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, cons
   residual[3] -= drag * turned;
   Eigen::Matrix4d jacobian;
   jacobian.topLeftCorner<3, 3>() =
-      find_pull_slope(around.coupling, to_hand, touch.force, residual.head<3>()) +
-      touch.stiffness + anchors.stiffness;
+      find_pull_slope(around.coupling, to_hand, touch.force, residual.head<3>()) + touch.stiffness +
+      anchors.stiffness;
   jacobian.topRightCorner<3, 1>() = touch.mixed + anchors.mixed;
   jacobian.bottomLeftCorner<1, 3>() = (touch.mixed + anchors.mixed).transpose();
   // jaws that nothing resists turn as far as they may
@@ -151,14 +151,17 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
 /// While jaws let go what is felt changes by no more than it may: the tool goes that part of its
 /// way, and what this leaves unbalanced is lost as of any step that is cut short
 /// (balance_tool.cpp). Of |F_0 + s dF| <= c the largest s, with F_0 what is felt at the start less
-/// what was felt before; where there is none, the s that comes nearest.
+/// what was felt before; where there is none, the s that comes nearest. A hand at its limit feels
+/// no more than that, and a tool that has not moved has no way to go a part of.
 void hold_back(const JawSurroundings& around, const ToolState& state, const Vec3& start,
                JawPlace& place) noexcept {
   const double stiffness = around.coupling.stiffness, most = state.felt_change;
   const Vec3 from = stiffness * (start - around.hand) - state.felt_before;
   const Vec3 change = stiffness * (place.position - start);
-  if (!((from + change).squaredNorm() > most * most)) return;
+  const Vec3 felt = limit(stiffness * (place.position - around.hand), around.coupling.force_max);
+  if (!((felt - state.felt_before).squaredNorm() > most * most)) return;
   const double a = change.squaredNorm(), b = from.dot(change);
+  if (!(a > 0.0)) return;
   const double root = b * b - a * (from.squaredNorm() - most * most);
   const double part = (std::sqrt(std::max(0.0, root)) - b) / a;
   place.position = start + std::clamp(part, 0.0, 1.0) * (place.position - start);

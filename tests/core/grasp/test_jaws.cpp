@@ -180,3 +180,25 @@ TEST_CASE("jaws of a weak hand that have lost the surface find it again without 
     }
   }
 }
+
+// On a stone that is fixed, gripped by a hand far off, nothing moved and 0/0 was felt.
+TEST_CASE("jaws that let go of what stands still, under a hand at its limit, stay where they are") {
+  for (const double felt_change : {0.0, 1e-3, 1.0}) {
+    CAPTURE(felt_change);
+    Poke poke(0.5);
+    const Vec3 hand(0.0, 0.0, 0.02);
+    poke.state.position = Vec3(0.0, 0.0, 0.025 + scenes::kJawRadius + 2e-5);
+    Vec3 felt = Vec3::Zero();
+    for (int i = 0; i < 200; ++i) felt = poke.move_hand(hand);
+    const Vec3 at = poke.state.position;
+    REQUIRE((poke.move_hand(hand), poke.state.position == at));
+    REQUIRE(felt.norm() == doctest::Approx(0.5));
+
+    poke.state.felt_before = felt;
+    poke.state.felt_change = felt_change;
+    const Vec3 after = poke.move_hand(hand);
+
+    CHECK(poke.state.position == at);
+    CHECK(after == felt);
+  }
+}
