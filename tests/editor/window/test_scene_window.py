@@ -328,6 +328,21 @@ def test_in_another_folder_the_same_files_are_named(scene, tmp_path):
     assert layout.bodies[0].file == "../left.palpate"
 
 
+def test_what_is_wrong_is_said_in_turkish(qtbot, make_editor, two):
+    editor = make_editor(language="tr")
+    editor.open_layout(two)
+    (window,) = editor.layouts
+    window.do(("place", "right", "--at=58.8,0,0"))
+    wait(qtbot, window)
+
+    said = [row.label.text() for row in window.panel.rows if row.isVisible()]
+
+    assert any("parçasının" in words and "mm taşındı" in words for words in said)
+    assert not any("stops instruments" in words for words in said)
+    window.may_close = True
+    window.close()
+
+
 def test_a_damaged_layout_is_refused_in_the_main_window(editor, two):
     data = json.loads(two.read_text(encoding="utf-8"))
     data["now"]["bodies"] = 3

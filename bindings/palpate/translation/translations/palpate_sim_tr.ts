@@ -216,6 +216,58 @@
 <context>
     <name>Refusal</name>
     <message>
+        <source>is %1 mm inside of %2: moved %3 mm, by %4 mm</source>
+        <translation>%2 parçasının %1 mm içinde: %3 mm taşındı (%4 mm)</translation>
+    </message>
+    <message>
+        <source>is %1 mm from %2, less than half the thickness: moved %3 mm, by %4 mm</source>
+        <translation>%2 parçasına %1 mm uzakta, kalınlığın yarısından az: %3 mm taşındı (%4 mm)</translation>
+    </message>
+    <message>
+        <source>is %1 mm inside of %2, expected no more than what moving it %3 mm parts: place it elsewhere</source>
+        <translation>%2 parçasının %1 mm içinde; en çok %3 mm taşımakla ayrılabilmeli: başka bir yere yerleştirin</translation>
+    </message>
+    <message>
+        <source>is %1 mm from %2, less than half the thickness, expected no more than what moving it %3 mm parts: place it elsewhere</source>
+        <translation>%2 parçasına %1 mm uzakta, kalınlığın yarısından az; en çok %3 mm taşımakla ayrılabilmeli: başka bir yere yerleştirin</translation>
+    </message>
+    <message>
+        <source>overlap by %1 mm and are no pair: they pass through each other</source>
+        <translation>%1 mm iç içe ve bir çift değil: birbirinin içinden geçerler</translation>
+    </message>
+    <message>
+        <source>its force_error of %1 N is 0 here: a body that others touch never sleeps</source>
+        <translation>%1 N olan force_error burada 0: başkalarının dokunduğu bir cisim hiç uyumaz</translation>
+    </message>
+    <message>
+        <source>are too far apart to be pressed together</source>
+        <translation>birbirine bastırılamayacak kadar uzaktalar</translation>
+    </message>
+    <message>
+        <source>did not touch when pressed towards each other: their cost is that of bodies apart</source>
+        <translation>birbirine doğru bastırılınca değmediler: maliyetleri ayrı cisimlerinkidir</translation>
+    </message>
+    <message>
+        <source>stops instruments and stones alone: `palpate scene pair LAYOUT %1 BODY` has it stop a body</source>
+        <translation>yalnızca aletlere ve taşlara engeldir: `palpate scene pair LAYOUT %1 BODY` onu bir cisme de engel yapar</translation>
+    </message>
+    <message>
+        <source>got none, expected one or more: add an organ</source>
+        <translation>hiç yok, bir ya da daha çok olmalı: bir organ ekleyin</translation>
+    </message>
+    <message>
+        <source>has no gravity, so stones float: `palpate scene publish --gravity=0,0,-9.81` gives it one</source>
+        <translation>yerçekimi yok, taşlar yüzer: `palpate scene publish --gravity=0,0,-9.81` ona yerçekimi verir</translation>
+    </message>
+    <message>
+        <source>went %1 mm through each other when pressed</source>
+        <translation>bastırılınca birbirinin %1 mm içinden geçtiler</translation>
+    </message>
+    <message>
+        <source>a tick takes %1 us here when they are pressed together, expected at most %2 us</source>
+        <translation>birbirine bastırılınca bir adım burada %1 us sürüyor, en çok %2 us olmalı</translation>
+    </message>
+    <message>
         <source>%1 bytes after the last triangle were left alone</source>
         <translation>son üçgenden sonraki %1 bayt olduğu gibi bırakıldı</translation>
     </message>
