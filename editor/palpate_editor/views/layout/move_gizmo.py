@@ -29,6 +29,8 @@ ARM, RING = 1.45, 1.12
 """[-] of the part's radius: to the ends of the arrows, and of the rings."""
 THIN, THICK = 0.008, 0.016
 """[-] Likewise: of rings and of shafts."""
+THINNEST = 1.2
+"""[px] of a ring's tube; of a shaft twice that."""
 LEAST, KEPT = 45.0, 0.1
 """[px] of that radius, so that handles of a stone can be held.
 [-] By what share it may be wrong before they are drawn anew."""
@@ -207,6 +209,7 @@ class MoveGizmo(QObject):
         return -float((now - before) @ across) / (RING * self.reach)
 
     def _draw(self) -> None:
+        least = THINNEST * self._view.pixel_size_at(self.middle)
         for handle in HANDLES:
             name = f"gizmo {'turn' if handle.turns else 'move'} {handle.axis}"
             if self.part is None or self.held not in (None, handle):
@@ -215,11 +218,10 @@ class MoveGizmo(QObject):
             colour = HELD if handle == self.held else COLOURS[handle.axis]
             axis, r = AXES[handle.axis], self.reach
             if handle.turns:
-                shape = build_ring(self.middle, axis, RING * r, THIN * r)
+                shape = build_ring(self.middle, axis, RING * r, max(THIN * r, least))
             else:
-                shape = build_arrow(
-                    self.middle + 0.35 * ARM * r * axis, self.middle + ARM * r * axis, THICK * r
-                )
+                ends = (self.middle + share * ARM * r * axis for share in (0.35, 1.0))
+                shape = build_arrow(*ends, max(THICK * r, 2.0 * least))
             self._view.show_part(name, shape, look(colour))
 
 

@@ -115,7 +115,8 @@ class SceneDrawing:
         for part in parts:
             appearance = STONE if isinstance(part, PlacedStone) else BONE
             if part.name == self._chosen:
-                appearance = replace(appearance, colour=CHOSEN)
+                # also inside of an organ
+                appearance = replace(appearance, colour=CHOSEN, seen_through=True, ghost=0.8)
             shape = place_drawn(self._shapes[key_of(part)], part)
             self._view.show_part(f"placed {part.name}", shape, appearance)
         drawn = [move_points(part, self._shapes[key_of(part)].x) for part in self._hard.values()]
