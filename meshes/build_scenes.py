@@ -235,6 +235,7 @@ def publish_layout(name: str) -> scenario.Scenario:
 
 
 SCENES: dict[str, Callable[[], scenario.Scenario]] = {
+    "kidney_stone_removal": lambda: publish_layout("kidney_stone_removal"),
     "layered_block": make_layered_block,
     "liver_gallbladder": lambda: publish_layout("liver_gallbladder"),
     "liver_gallbladder_peritoneum": publish_covered,
