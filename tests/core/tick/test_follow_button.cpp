@@ -131,6 +131,8 @@ TEST_CASE("under Eq 10, which has no energy, a grip lets go before a link is thr
     CHECK_FALSE(slipped.held_to_the_end);
     CHECK(slipped.longest > 2.4);
     CHECK(slipped.longest < 1.0 + kLargestStrain);
+    // what would bear no more is let go in 5 ms, evenly
+    CHECK(slipped.largest_drop < 0.25 * slipped.largest_force);
   }
 }
 

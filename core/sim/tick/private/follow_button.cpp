@@ -23,6 +23,10 @@ constexpr double kSlipInRadii = 1.0;
 /// the run would end at 0.05.
 constexpr double kStrainHeld = 0.75, kShortestHeld = 0.1, kSmallestHeld = 0.1;
 
+/// [s] In which it then lets go, a fifth of the load a tick: a hand that jerks at 1 m/s turns an
+/// element inside out in less than a release takes.
+constexpr double kTornTime = 0.005;
+
 /// And at this part of how far a linear solid may be moved.
 constexpr double kDeepestHeld = 0.9;
 
@@ -37,15 +41,25 @@ struct Holding {
   }
 };
 
-bool holds_near_alarm(const Scene& scene, const World& world, const Holding& grip) noexcept {
-  int checked = -1;
+int count_ticks(double time, double dt) noexcept {
+  return std::max(1, static_cast<int>(std::lround(time / dt)));
+}
+
+/// In how many ticks a grip of what is near an alarm is to let go; 0 for one that need not. A
+/// linear solid is never turned inside out: it has been moved too far to be right, and there is
+/// time.
+int find_torn_ticks(const Scene& scene, double dt, const World& world,
+                    const Holding& grip) noexcept {
+  int checked = -1, ticks = 0;
   for (const ToolState::Hold& hold : grip.holds()) {
     if (hold.body == checked) continue;  // those of a body follow one another
     checked = hold.body;
     const auto b = static_cast<std::size_t>(hold.body);
-    if (is_near_alarm(scene.bodies[b], world.bodies[b])) return true;
+    if (!is_near_alarm(scene.bodies[b], world.bodies[b])) continue;
+    const int needed = count_ticks(find_response(world.bodies[b]) ? kReleaseTime : kTornTime, dt);
+    ticks = ticks > 0 ? std::min(ticks, needed) : needed;
   }
-  return false;
+  return ticks;
 }
 
 bool is_out_of_grip(const Holding& grip) noexcept {
@@ -53,8 +67,8 @@ bool is_out_of_grip(const Holding& grip) noexcept {
                       grip.state.tool) > kSlipInRadii * grip.instrument.tool.radius;
 }
 
-void begin_release(double dt, const Holding& grip) noexcept {
-  grip.state.release_ticks = std::max(1, static_cast<int>(std::lround(kReleaseTime / dt)));
+void begin_release(int ticks, const Holding& grip) noexcept {
+  grip.state.release_ticks = ticks;
   grip.state.release_load = measure_held_load(grip.state.tool, grip.surfaces);
 }
 
@@ -75,9 +89,11 @@ double find_part(const Holding& grip, double force) noexcept {
 /// Let go at once the holds would kick hand and tissue: what they carry falls linearly
 /// [contact: release]. If it were their stiffness, nearly all of the load would be left to the last
 /// ticks, for where the tissue is softer than the holds it stretches them as they soften.
-void fade_holds(double dt, const Holding& grip) noexcept {
-  const double left = (grip.state.release_ticks - 1) / std::max(1.0, std::round(kReleaseTime / dt));
-  const double part = find_part(grip, left * grip.state.release_load);
+void fade_holds(const Holding& grip) noexcept {
+  // of what is left for so many ticks, one tick's part
+  const int ticks = grip.state.release_ticks;
+  grip.state.release_load *= static_cast<double>(ticks - 1) / ticks;
+  const double part = find_part(grip, grip.state.release_load);
   for (ToolState::Hold& hold : grip.holds()) {
     hold.stiffness *= part;
     hold.sideways *= part;
@@ -107,11 +123,15 @@ void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t butt
                      list_surfaces(scene, instrument, world).first(world.bodies.size())};
   const bool pressed = (buttons & kAttachButton) != 0;
   const bool holds = state.tool.hold_count > 0 && state.release_ticks == 0;
-  if (holds && (!pressed || is_out_of_grip(grip) || holds_near_alarm(scene, world, grip))) {
-    begin_release(dt, grip);
+  const bool fades = state.release_ticks > 0;
+  const int torn = holds || fades ? find_torn_ticks(scene, dt, world, grip) : 0;
+  if (torn > 0 && (holds || torn < state.release_ticks)) {
+    begin_release(torn, grip);
+  } else if (holds && (!pressed || is_out_of_grip(grip))) {
+    begin_release(count_ticks(kReleaseTime, dt), grip);
   }
   if (state.release_ticks > 0) {
-    fade_holds(dt, grip);
+    fade_holds(grip);
     state.attach_pressed = state.attach_pressed && pressed;
     return;
   }
