@@ -4209,7 +4209,12 @@ class SceneSurfaces:
     def __init__(self, scene: Scene) -> None:
         """The scene need not outlive it."""
     def place_rigid(self, index: int, position: ArrayLike, orientation: ArrayLike) -> None:
-        """Where a rigid body is now: [m], shape (3,), and a unit quaternion (x, y, z, w).
+        """Where a rigid body is now. Raises ValueError.
+
+        Args:
+            index: Of the scene's rigid bodies.
+            position: [m] shape (3,).
+            orientation: [-] a unit quaternion, shape (4,): x, y, z, w.
 
         Args:
             orientation: [-] shape (4,), of the tool's frame: unit quaternion (x, y, z, w)

@@ -254,7 +254,10 @@ void bind_scene_surfaces(py::module_& m) {
             self.place_rigid(static_cast<std::size_t>(index), position, Quaternion(xyzw));
           },
           "index"_a, "position"_a, "orientation"_a,
-          "Where a rigid body is now: [m], shape (3,), and a unit quaternion (x, y, z, w).")
+          "Where a rigid body is now. Raises ValueError.\n\nArgs:\n"
+          "    index: Of the scene's rigid bodies.\n"
+          "    position: [m] shape (3,).\n"
+          "    orientation: [-] a unit quaternion, shape (4,): x, y, z, w.")
       .def("rigid_count", &SceneSurfaces::rigid_count, "How many rigid bodies there are.")
       .def(
           "find_ray_hit",

@@ -20,19 +20,9 @@ MEANT = (
 
 
 ESTIMATED = ("AVX2", "SSE4")
-"""Targets whose estimates of 1/x and 1/sqrt(x) each maker of processors tabulates for itself; those
-of AVX3 are the same everywhere. Seen between two makers: 3.7e-6 N and 8e-9 m."""
-MAKER = "AuthenticAMD"
-"""Of the processor on which the records were made."""
-
-
-def name_maker() -> str:
-    """Of this processor, as the kernel says it; empty where it does not."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        return ""
-    return next((line.split(":")[1].strip() for line in lines if line.startswith("vendor_id")), "")
+"""Targets whose estimates of 1/x and 1/sqrt(x) each processor tabulates for itself; those of AVX3
+are the same everywhere. Seen between two makers: 3.7e-6 N and 8e-9 m; between two processors of
+one: 6e-7 N."""
 
 
 COSTLY = ("solid_liver", "shell_gallbladder", "shell_stomach")
@@ -59,8 +49,8 @@ def test_a_record_of_an_earlier_version_replays_to_the_same_bits(golden):
 
     assert report.ticks == len(record.hand)
     same = report.equal
-    if golden.target in ESTIMATED and name_maker() != MAKER:
-        same = (
+    if golden.target in ESTIMATED:
+        same = same or (
             report.largest_force_difference <= 1e-5 and report.largest_position_difference <= 1e-7
         )
     assert same, MEANT.format(

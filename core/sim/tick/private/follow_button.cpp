@@ -67,9 +67,11 @@ bool is_out_of_grip(const Holding& grip) noexcept {
                       grip.state.tool) > kSlipInRadii * grip.instrument.tool.radius;
 }
 
-void begin_release(int ticks, const Holding& grip) noexcept {
+/// A fall over fewer ticks is the end of one from a larger load.
+void begin_release(int ticks, double dt, const Holding& grip) noexcept {
   grip.state.release_ticks = ticks;
-  grip.state.release_load = measure_held_load(grip.state.tool, grip.surfaces);
+  const double load = measure_held_load(grip.state.tool, grip.surfaces);
+  grip.state.release_load = load * (static_cast<double>(count_ticks(kReleaseTime, dt)) / ticks);
 }
 
 /// The part of its stiffness that a hold keeps so as to carry F [N] in the next tick. Its length is
@@ -89,11 +91,9 @@ double find_part(const Holding& grip, double force) noexcept {
 /// Let go at once the holds would kick hand and tissue: what they carry falls linearly
 /// [contact: release]. If it were their stiffness, nearly all of the load would be left to the last
 /// ticks, for where the tissue is softer than the holds it stretches them as they soften.
-void fade_holds(const Holding& grip) noexcept {
-  // of what is left for so many ticks, one tick's part
-  const int ticks = grip.state.release_ticks;
-  grip.state.release_load *= static_cast<double>(ticks - 1) / ticks;
-  const double part = find_part(grip, grip.state.release_load);
+void fade_holds(double dt, const Holding& grip) noexcept {
+  const double left = (grip.state.release_ticks - 1) / std::max(1.0, std::round(kReleaseTime / dt));
+  const double part = find_part(grip, left * grip.state.release_load);
   for (ToolState::Hold& hold : grip.holds()) {
     hold.stiffness *= part;
     hold.sideways *= part;
@@ -126,12 +126,12 @@ void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t butt
   const bool fades = state.release_ticks > 0;
   const int torn = holds || fades ? find_torn_ticks(scene, dt, world, grip) : 0;
   if (torn > 0 && (holds || torn < state.release_ticks)) {
-    begin_release(torn, grip);
+    begin_release(torn, dt, grip);
   } else if (holds && (!pressed || is_out_of_grip(grip))) {
-    begin_release(count_ticks(kReleaseTime, dt), grip);
+    begin_release(count_ticks(kReleaseTime, dt), dt, grip);
   }
   if (state.release_ticks > 0) {
-    fade_holds(grip);
+    fade_holds(dt, grip);
     state.attach_pressed = state.attach_pressed && pressed;
     return;
   }
