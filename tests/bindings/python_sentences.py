@@ -46,6 +46,8 @@ TOLD = ("find_appearance_fault",)
 """Functions that give where, found and expected."""
 REASONS = ("unit_reason", "up_reason")
 """Arguments that say why a unit or an axis was chosen."""
+CHECKED = "layout"
+"""The folder whose checks give a `Problem` of how bad, where and what, or `describe` part of it."""
 KINDS = "KINDS"
 """The table of json_part.py that says what a field takes."""
 CUT_ENDS = "CUT_ENDS"
@@ -75,6 +77,9 @@ def read_file(file: Path) -> Iterator[str]:
             scope = constants | collect(list(ast.walk(node)))
             for call in find_raised(node):
                 yield from read_call(call, scope)
+            if file.parent.name == CHECKED:
+                for told in find_problems(node):
+                    yield from build(expand(told, scope), scope)
             if node.name in TOLD:
                 for told in find_told(node):
                     yield from (text for part in told[-2:] for text in build(part, scope))
@@ -121,6 +126,29 @@ def find_noted(function: ast.FunctionDef) -> Iterator[ast.expr]:
             yield node.value
         if isinstance(node, ast.Call) and ast.unparse(node.func) == "notes.append":
             yield node.args[0]
+
+
+def find_problems(function: ast.FunctionDef) -> Iterator[ast.expr]:
+    for node in ast.walk(function):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "Problem":
+            yield node.args[2]
+        if isinstance(node, ast.Return) and function.name == "describe" and node.value:
+            yield node.value
+
+
+def expand(node: ast.expr, scope: Scope) -> ast.expr:
+    """With names that stand for texts in place of their values in an f-string."""
+    if isinstance(node, ast.Name) and len(scope.get(node.id, ())) == 1:
+        return expand(scope[node.id][0], scope)
+    if not isinstance(node, ast.JoinedStr):
+        return node
+    texts = ast.JoinedStr | ast.IfExp
+    values = []
+    for part in node.values:
+        named = part.value if isinstance(part, ast.FormattedValue) else None
+        found = scope.get(named.id, ()) if isinstance(named, ast.Name) else ()
+        values.append(found[0] if len(found) == 1 and isinstance(found[0], texts) else part)
+    return ast.JoinedStr(values)
 
 
 def find_told(function: ast.FunctionDef) -> Iterator[list[ast.expr]]:

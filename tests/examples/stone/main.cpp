@@ -121,7 +121,7 @@ Scene make_scene() {
 HapticSample find_hand(double time) {
   constexpr std::array kTime = {0.0, 0.15, 0.4, 0.9, 1.3, 1.7};
   constexpr std::array kY = {kAside, kAside, kAside, kAside, 0.0, 0.0};
-  constexpr std::array kZ = {0.04, 0.0018, 0.0018, 0.1, 0.1, 4.0 * kRadius - 0.008};
+  constexpr std::array kZ = {0.04, 0.0018, 0.0018, 0.1, 0.1, 4.0 * kRadius - 0.012};
   std::size_t n = 1;
   while (n + 1 < kTime.size() && time > kTime[n]) ++n;
   const double part = std::clamp((time - kTime[n - 1]) / (kTime[n] - kTime[n - 1]), 0.0, 1.0);

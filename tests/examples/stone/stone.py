@@ -109,7 +109,7 @@ PATH = [
     (0.4, (ASIDE, 0.0018), True),
     (0.9, (ASIDE, 0.1), True),
     (1.3, (0.0, 0.1), True),
-    (1.7, (0.0, 4.0 * RADIUS - 0.008), True),
+    (1.7, (0.0, 4.0 * RADIUS - 0.012), True),
 ]
 """[s], [m] in y and z, and whether the jaws are closed."""
 

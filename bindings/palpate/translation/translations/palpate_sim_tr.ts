@@ -492,10 +492,6 @@
         <translation>içi olan bir ağ</translation>
     </message>
     <message>
-        <source>some in a layout of version 1</source>
-        <translation>1 sürümündeki bir yerleşimde birkaç tane</translation>
-    </message>
-    <message>
         <source>up to %1 m; a file in millimetres is added with --unit mm</source>
         <translation>en çok %1 m; milimetre cinsinden bir dosya --unit mm ile eklenir</translation>
     </message>
@@ -3978,6 +3974,58 @@
     <message>
         <source>|u1 of shape (%1, 3)</source>
         <translation>(%1, 3) biçiminde |u1</translation>
+    </message>
+    <message>
+        <source>0 or more</source>
+        <translation>0 ya da daha çok</translation>
+    </message>
+    <message>
+        <source>2, or none</source>
+        <translation>2 ya da hiç</translation>
+    </message>
+    <message>
+        <source>a scene that a file holds</source>
+        <translation>bir dosyanın tuttuğu bir sahne</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>%1 değerinden çok</translation>
+    </message>
+    <message>
+        <source>one, or none</source>
+        <translation>bir ya da hiç</translation>
+    </message>
+    <message>
+        <source>some in a layout of version %1</source>
+        <translation>%1 sürümlü bir düzende bir şey</translation>
+    </message>
+    <message>
+        <source>%1, where most: gravity, or what it lies on, moves it</source>
+        <translation>%1, en çok gittiği yerde: yerçekimi ya da üzerinde durduğu şey onu oynatıyor</translation>
+    </message>
+    <message>
+        <source>%1: got %2 %3, expected %4 %5, as the first body's organ has it</source>
+        <translation>%1: %2 %3 bulundu, %4 %5 bekleniyordu: ilk cismin organında olduğu gibi</translation>
+    </message>
+    <message>
+        <source>%1: it falls, expected something that it lies on</source>
+        <translation>%1: düşüyor, üzerinde duracağı bir şey bekleniyordu</translation>
+    </message>
+    <message>
+        <source>its hull of %1 spheres lies up to %2 mm in it, expected at most %3 mm: more spheres, or a rounder mesh</source>
+        <translation>%1 küreden oluşan zarfı en çok %2 mm içeride kalıyor, en fazla %3 mm bekleniyordu: daha çok küre ya da daha yuvarlak bir ağ</translation>
+    </message>
+    <message>
+        <source>pressed together: %1</source>
+        <translation>birbirine bastırılınca: %1</translation>
+    </message>
+    <message>
+        <source>without any hand: %1</source>
+        <translation>hiçbir el yokken: %1</translation>
+    </message>
+    <message>
+        <source>within %1 s it goes %2 mm from where it is placed, and moves at %3 mm/s then</source>
+        <translation>%1 s içinde konduğu yerden %2 mm uzaklaşıyor ve o zaman %3 mm/s ile hareket ediyor</translation>
     </message>
 </context>
 </TS>
