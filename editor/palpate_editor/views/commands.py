@@ -27,7 +27,7 @@ def file_commands(w: CommandTargets) -> list[Command]:
     f = w.files
     return [
         Command("new", "file", tr("&New"), f.start_new, ("Ctrl+N",), "new"),
-        Command("new_scene", "file", tr("New s&cene…"), f.ask_new_scene, (), "new"),
+        Command("new_scene", "file", tr("New s&cene…"), f.ask_new_scene, ("Ctrl+Shift+E",), "new"),
         Command("open", "file", tr("&Open…"), f.ask_open, ("Ctrl+O",), "open"),
         Command("import", "file", tr("&Import a mesh…"), f.ask_import, ("Ctrl+Shift+I",), "import"),
         Command(
