@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes the scene of a kidney stone: `python -m palpate_meshes.stone_scene`.
 
-The kidney lies as in somebody who lies on the back, its access tract nearly level; the stone lies
+The kidney lies as in a supine patient, its access tract nearly level; the stone lies
 in the lower calyx, and a tray stands beneath the way by which it is drawn out.
 """
 

@@ -10,9 +10,11 @@ import palpate
 import pytest
 from palpate.render import Appearance, Camera, Renderer, has_camera, place_scope
 from palpate.render.context import open_context
+from palpate.render.instrument_meshes import MESHES
 from palpate.render.scope_camera import HEADLIGHT
 from palpate.viewport import SeenInstrument
 from palpate.viewport.scope_inset import Shows
+from palpate_meshes.tools import read_tool
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
@@ -46,6 +48,16 @@ def test_an_upright_laparoscope_looks_30_degrees_off_its_shaft_from_its_lens():
     assert np.cross(right, forward) == pytest.approx(up)
     # the mesh ends 8.8 mm before the axis of what touches, and the lens lies 2.9 mm behind that
     assert camera.eye() == pytest.approx([0.1, 0.2, 0.3 - 8.8e-3 + 2.9e-3])
+
+
+def test_its_optics_are_those_of_the_shipped_mesh():
+    shipped, optics = read_tool("laparoscope").camera, MESHES["laparoscope"].optics
+
+    # the mesh has its shaft along -z
+    for name in ("at", "axis", "up"):
+        turned = np.array(getattr(shipped, name)) * [1.0, -1.0, -1.0]
+        assert getattr(optics, name) == pytest.approx(turned)
+    assert optics.field_of_view == shipped.field_of_view
 
 
 def test_it_turns_and_moves_with_the_instrument():
@@ -155,7 +167,7 @@ def test_v_is_not_taken_where_there_is_no_laparoscope(view):
     assert not view.change_scope()
 
 
-def test_its_picture_is_drawn_anew_only_where_something_changed(view):
+def test_its_picture_is_drawn_again_only_where_something_changed(view):
     view.show_instruments([hold(laparoscope())])
     view.grab_picture()
     canvas = view._canvas

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "palpate/sim/tick/private/rigid_motion.h"
 
@@ -13,23 +11,8 @@ namespace palpate::scenes {
 
 /// Four triangles of each, the new vertices on the unit sphere: of 42 vertices 162, of those 642.
 inline SurfaceMesh refine_sphere(const SurfaceMesh& coarse) {
-  SurfaceMesh mesh;
-  mesh.vertices = coarse.vertices;
-  std::map<std::pair<int, int>, int> middles;
-  const auto middle = [&](int a, int b) {
-    const auto [found, is_new] =
-        middles.try_emplace(std::minmax(a, b), static_cast<int>(mesh.vertices.size()));
-    const auto at = [&](int v) { return coarse.vertices[static_cast<std::size_t>(v)]; };
-    if (is_new) mesh.vertices.push_back((at(a) + at(b)).normalized());
-    return found->second;
-  };
-  for (const auto& [a, b, c] : coarse.triangles) {
-    const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    for (const Triangle& t :
-         {Triangle{a, ab, ca}, Triangle{b, bc, ab}, Triangle{c, ca, bc}, Triangle{ab, bc, ca}}) {
-      mesh.triangles.push_back(t);
-    }
-  }
+  SurfaceMesh mesh = divide_triangles(coarse);
+  for (Vec3& v : mesh.vertices) v.normalize();
   return mesh;
 }
 

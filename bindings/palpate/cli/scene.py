@@ -9,7 +9,6 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-from palpate import FileError, scenario
 from palpate.cli.scene_changes import CHANGES, KINDS, ORGAN, UNITS
 from palpate.cli.scene_words import describe_scene, has_failed
 from palpate.command.output import add_output
@@ -20,7 +19,7 @@ from palpate.layout import document
 from palpate.layout.check import check, describe_pair
 from palpate.layout.document import History, Layout, LayoutError, Placed
 from palpate.layout.layout_file import read_layout, write_layout
-from palpate.layout.publish import make_scenario
+from palpate.layout.publish import write_checked
 from palpate.layout.stone import FEWEST, MOST
 from palpate.scene.instrument_kinds import KINDS as TOOLS
 
@@ -252,12 +251,7 @@ def run_checked(call: argparse.Namespace, layout: Layout) -> Report:
     for told, stone in zip(report["stones"], checked.assembly.stones, strict=True):
         told |= {"mass_kg": stone.body.mass, "hull_gap_m": stone.hull.deepest}
     report["costs"] = [describe_pair(layout, checked.scene, i, checked) for i in range(count)]
-    if call.action == "publish" and not checked.has_errors:
-        made = make_scenario(layout, checked.assembly, checked.scene)
-        try:
-            scenario.write(call.out, made)
-        except ValueError as problem:
-            raise FileError(str(call.out), "", str(problem), "a scene that a file holds") from None
+    if call.action == "publish" and write_checked(call.out, layout, checked):
         report["out"] = str(call.out)
     return report
 

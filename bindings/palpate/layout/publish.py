@@ -5,17 +5,19 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import palpate
-from palpate import scenario
+from palpate import FileError, scenario
 from palpate.assessment.author import make_ids
 from palpate.assessment.publish import find_regions
 from palpate.files.refusal import Refusal
 from palpate.layout.assemble import Assembly
+from palpate.layout.check import Checked
 from palpate.layout.document import FORMAT, VERSION, Layout
 from palpate.layout.placed import Organ
 from palpate.render.authored_appearance import find_appearance, find_colours
@@ -42,6 +44,19 @@ def make_scenario(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> s
         },
         languages=words if layout.title_tr or layout.task_tr else {},
     )
+
+
+def write_checked(out: Path, layout: Layout, checked: Checked) -> bool:
+    """Writes the scene of a layout that was checked; False where that found an error. Raises
+    FileError or OSError."""
+    if checked.scene is None or checked.assembly is None or checked.has_errors:
+        return False
+    made = make_scenario(layout, checked.assembly, checked.scene)
+    try:
+        scenario.write(out, made)
+    except ValueError as problem:
+        raise FileError(str(out), "", str(problem), "a scene that a file holds") from None
+    return True
 
 
 def join_regions(layout: Layout, organs: list[Organ]) -> dict[str, NDArray[np.int32]]:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 import palpate
 from palpate.render.camera import Array, Camera
 from palpate.render.instrument import find_rotation, name_look
-from palpate.render.instrument_meshes import MESHES, Optics
+from palpate.render.instrument_meshes import MESHES
 
 HEADLIGHT = 0.06
 """[m] At which the lamp lights as brightly as those of the studio do."""
@@ -34,8 +34,9 @@ class ScopeCamera(Camera):
 
 
 def has_camera(tool: palpate.Tool) -> bool:
-    """Whether an instrument is one to see with: what is drawn as a laparoscope."""
-    return name_look(tool) == "laparoscope"
+    """Whether an instrument is one to see with: what is drawn with optics, as a laparoscope is."""
+    mesh = MESHES.get(name_look(tool))
+    return mesh is not None and mesh.optics is not None
 
 
 def place_scope(tool: palpate.Tool, position: ArrayLike, orientation: ArrayLike) -> ScopeCamera:
@@ -44,21 +45,19 @@ def place_scope(tool: palpate.Tool, position: ArrayLike, orientation: ArrayLike)
     The optics are those of the shipped mesh (meshes/tools.toml). Raises ValueError for a tool
     without a camera.
     """
-    if not has_camera(tool):
+    mesh = MESHES.get(name_look(tool))
+    if mesh is None or mesh.optics is None:
         raise ValueError(f"tool: got a {name_look(tool)}, expected a laparoscope")
-    mesh = MESHES["laparoscope"]
-    optics = mesh.optics or Optics()
+    optics = mesh.optics
     start = float(np.asarray(tool.capsules[0].from_)[2])
     wide = tool.radius / mesh.radius
     at = np.array(optics.at) * [wide, wide, 1.0] + [0.0, 0.0, start - mesh.tip]
     turned = find_rotation(orientation).astype(float)
     forward, up = turned @ np.array(optics.axis), turned @ np.array(optics.up)
     eye = np.asarray(position, dtype=float) + turned @ at
-    # the target only says how far away things are that matter
-    distance = HEADLIGHT
     return ScopeCamera(
-        distance=distance,
-        target=eye + distance * forward,
+        distance=HEADLIGHT,
+        target=eye + HEADLIGHT * forward,
         field_of_view=optics.field_of_view,
         headlight=HEADLIGHT,
         axes=np.array([np.cross(forward, up), up, forward]),

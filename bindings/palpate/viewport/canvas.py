@@ -171,9 +171,7 @@ class Canvas:
         renderer.draw(camera, size)
         target.resolve()
         pixels = np.empty((size[1], size[0], 4), np.uint8)
-        screen = self._use("inset screen", size, 0)
-        self._stretch(target.texture, screen.frame, (0, 0, *size), upside_down=True)
-        screen.frame.read_into(pixels, components=4, alignment=1)
+        self._copy_out(target, "inset screen", pixels)
         return pixels
 
     def paste(self, target: moderngl.Framebuffer, size: Size) -> None:
@@ -182,9 +180,13 @@ class Canvas:
 
     def read(self, pixels: NDArray[np.uint8]) -> None:
         """Copies the best frame there is to (h, w, 4), stretched, the top row first."""
+        self._copy_out(self._best(), "screen", pixels)
+
+    def _copy_out(self, target: Target, through: str, pixels: NDArray[np.uint8]) -> None:
+        """To (h, w, 4), stretched, by way of a target of that size."""
         size = (pixels.shape[1], pixels.shape[0])
-        screen = self._use("screen", size, 0)
-        self._stretch(self._best().texture, screen.frame, (0, 0, *size), upside_down=True)
+        screen = self._use(through, size, 0)
+        self._stretch(target.texture, screen.frame, (0, 0, *size), upside_down=True)
         screen.frame.read_into(pixels, components=4, alignment=1)
 
     def release(self) -> None:

@@ -46,7 +46,6 @@ double share_of(double dt) noexcept { return 1.0 - std::exp(-dt / kGlideTime); }
 
 SurfacePointer::SurfacePointer(const Scene& scene, std::size_t body, std::size_t instrument)
     : radius_(scene.instruments.at(instrument).tool.radius),
-      rigid_count_(static_cast<int>(scene.rigid.size())),
       gestures_(kGestures),
       surfaces_(scene) {
   const TissueModel& tissue = scene.bodies.at(body).tissue;
@@ -62,8 +61,9 @@ void SurfacePointer::post(const PointerTarget& target) {
     refuse("pointer: time, goal or depth", "a number that is not finite", "finite ones");
   }
   require_unit("pointer: orientation", target.orientation);
-  if (target.rigid < -1 || target.rigid >= rigid_count_) {
-    refuse("pointer: rigid", write_text(target.rigid), write_text("-1 to ", rigid_count_ - 1));
+  const auto rigid_count = static_cast<int>(surfaces_.rigid_count());
+  if (target.rigid < -1 || target.rigid >= rigid_count) {
+    refuse("pointer: rigid", write_text(target.rigid), write_text("-1 to ", rigid_count - 1));
   }
   if (!target.rigid_position.allFinite()) {
     refuse("pointer: rigid_position", "a number that is not finite", "finite ones");

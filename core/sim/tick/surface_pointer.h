@@ -141,7 +141,6 @@ class SurfacePointer : public HapticDevice {
 
   // constant
   double radius_;  // [m] of the tip
-  int rigid_count_;
 
   // the window's own
   Post posted_;
@@ -150,7 +149,7 @@ class SurfacePointer : public HapticDevice {
   Latest<Post> newest_;
   Ring<Post> gestures_;
 
-  // the haptic thread's own
+  // the haptic thread's own, but for how many there are
   SceneSurfaces surfaces_;
   Post current_;
   PointerTarget touch_;           // where the gesture began

@@ -92,6 +92,19 @@ struct Pressed {
   SurfaceContacts contacts;
 };
 
+/// [m/s] At which the gap of a vertex of the upper body grows.
+double find_gap_speed(Pressed& pressed, int vertex, const VertexContact& contact) {
+  double speed = pressed.upper.view().velocity_of(vertex).dot(contact.normal);
+  const Triangle& corners =
+      pressed.lower.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
+  for (int c = 0; c < 3; ++c) {
+    speed -=
+        contact.weights[c] *
+        pressed.lower.view().velocity_of(corners[static_cast<std::size_t>(c)]).dot(contact.normal);
+  }
+  return speed;
+}
+
 }  // namespace
 
 TEST_CASE("S3: on any path, lists hold all that brute force finds within the thickness") {
@@ -203,14 +216,7 @@ TEST_CASE("nearer than a tenth of the thickness approach is stopped, and nothing
         find_contact(pressed.contacts, vertex, pressed.upper.x[v], pressed.lower.tissue.triangles,
                      pressed.lower.x, kBarrier.thickness);
     if (contact.triangle < 0 || contact.gap > kClosestPart * kBarrier.thickness) continue;
-    double speed = pressed.upper.view().velocity_of(vertex).dot(contact.normal);
-    const Triangle& corners =
-        pressed.lower.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
-    for (int c = 0; c < 3; ++c) {
-      speed -= contact.weights[c] * pressed.lower.view()
-                                        .velocity_of(corners[static_cast<std::size_t>(c)])
-                                        .dot(contact.normal);
-    }
+    const double speed = find_gap_speed(pressed, vertex, contact);
     // to the bit alone; with neighbours that share a corner, no more than they have left
     CHECK(speed > -0.25);
     CHECK(speed < 0.05);
@@ -235,14 +241,7 @@ TEST_CASE("what would pass the floor within a step is slowed down to reach it, n
           find_contact(pressed.contacts, vertex, pressed.upper.x[v], pressed.lower.tissue.triangles,
                        pressed.lower.x, barrier.thickness);
       if (contact.triangle < 0) continue;
-      double rate = pressed.upper.view().velocity_of(vertex).dot(contact.normal);
-      const Triangle& corners =
-          pressed.lower.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
-      for (int c = 0; c < 3; ++c) {
-        rate -= contact.weights[c] * pressed.lower.view()
-                                         .velocity_of(corners[static_cast<std::size_t>(c)])
-                                         .dot(contact.normal);
-      }
+      const double rate = find_gap_speed(pressed, vertex, contact);
       least = std::min(least, contact.gap + kStep * rate);
     }
     // the last one to be looked at is stopped at the floor, those before it there or farther away

@@ -25,7 +25,7 @@ constexpr double kStrainHeld = 0.75, kShortestHeld = 0.1, kSmallestHeld = 0.1;
 
 /// [s] In which it then lets go, a fifth of the load a tick: a hand that jerks at 1 m/s turns an
 /// element inside out in less than a release takes.
-constexpr double kTornTime = 0.005;
+constexpr double kAlarmReleaseTime = 0.005;
 
 /// And at this part of how far a linear solid may be moved.
 constexpr double kDeepestHeld = 0.9;
@@ -48,15 +48,16 @@ int count_ticks(double time, double dt) noexcept {
 /// In how many ticks a grip of what is near an alarm is to let go; 0 for one that need not. A
 /// linear solid is never turned inside out: it has been moved too far to be right, and there is
 /// time.
-int find_torn_ticks(const Scene& scene, double dt, const World& world,
-                    const Holding& grip) noexcept {
+int count_alarm_ticks(const Scene& scene, double dt, const World& world,
+                      const Holding& grip) noexcept {
   int checked = -1, ticks = 0;
   for (const ToolState::Hold& hold : grip.holds()) {
     if (hold.body == checked) continue;  // those of a body follow one another
     checked = hold.body;
     const auto b = static_cast<std::size_t>(hold.body);
     if (!is_near_alarm(scene.bodies[b], world.bodies[b])) continue;
-    const int needed = count_ticks(find_response(world.bodies[b]) ? kReleaseTime : kTornTime, dt);
+    const int needed =
+        count_ticks(find_response(world.bodies[b]) ? kReleaseTime : kAlarmReleaseTime, dt);
     ticks = ticks > 0 ? std::min(ticks, needed) : needed;
   }
   return ticks;
@@ -124,9 +125,9 @@ void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t butt
   const bool pressed = (buttons & kAttachButton) != 0;
   const bool holds = state.tool.hold_count > 0 && state.release_ticks == 0;
   const bool fades = state.release_ticks > 0;
-  const int torn = holds || fades ? find_torn_ticks(scene, dt, world, grip) : 0;
-  if (torn > 0 && (holds || torn < state.release_ticks)) {
-    begin_release(torn, dt, grip);
+  const int urgent = holds || fades ? count_alarm_ticks(scene, dt, world, grip) : 0;
+  if (urgent > 0 && (holds || urgent < state.release_ticks)) {
+    begin_release(urgent, dt, grip);
   } else if (holds && (!pressed || is_out_of_grip(grip))) {
     begin_release(count_ticks(kReleaseTime, dt), dt, grip);
   }

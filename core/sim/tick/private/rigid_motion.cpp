@@ -44,7 +44,9 @@ void add_icosahedron(SurfaceMesh& mesh) {
                     {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
 }
 
-SurfaceMesh divide(const SurfaceMesh& coarse) {
+}  // namespace
+
+SurfaceMesh divide_triangles(const SurfaceMesh& coarse) {
   SurfaceMesh mesh;
   mesh.vertices = coarse.vertices;
   std::map<std::pair<int, int>, int> middles;
@@ -67,12 +69,10 @@ SurfaceMesh divide(const SurfaceMesh& coarse) {
   return mesh;
 }
 
-}  // namespace
-
 SurfaceMesh build_sphere_mesh(std::span<const Vec3> centres, std::span<const double> radii) {
   SurfaceMesh ball;
   add_icosahedron(ball);
-  ball = divide(ball);
+  ball = divide_triangles(ball);
   for (Vec3& v : ball.vertices) v.normalize();
   SurfaceMesh mesh;
   for (std::size_t s = 0; s < centres.size(); ++s) {

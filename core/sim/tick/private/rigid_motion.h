@@ -7,6 +7,9 @@
 
 namespace palpate {
 
+/// Four triangles of each, the new vertices in the middle of its edges.
+SurfaceMesh divide_triangles(const SurfaceMesh& coarse);
+
 /// A surface about every sphere, an icosahedron divided once: what a body without a mesh has.
 SurfaceMesh build_sphere_mesh(std::span<const Vec3> centres, std::span<const double> radii);
 

@@ -33,7 +33,7 @@ THINNEST = 1.2
 """[px] of a ring's tube; of a shaft twice that."""
 LEAST, KEPT = 45.0, 0.1
 """[px] of that radius, so that handles of a stone can be held.
-[-] By what share it may be wrong before they are drawn anew."""
+[-] The relative error of their size above which they are drawn again."""
 NEAR = 9.0
 """[px] from a handle that is meant."""
 AROUND = 64

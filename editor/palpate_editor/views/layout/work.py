@@ -6,10 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from palpate import FileError, scenario
 from palpate.layout.check import Checked, check
 from palpate.layout.document import Layout
-from palpate.layout.publish import make_scenario
+from palpate.layout.publish import write_checked
 
 from palpate_editor.layout_changes import Words, change
 from palpate_editor.layout_shapes import Key, PartShape, read_shapes
@@ -67,11 +66,5 @@ class PublishWork:
     def __call__(self, progress: Progress) -> tuple[Layout, Checked, Path]:
         progress(tr("Publishing {file}").format(file=self.out.name), 0.1)
         checked = check(self.path, self.layout)
-        if checked.scene is not None and checked.assembly is not None and not checked.has_errors:
-            made = make_scenario(self.layout, checked.assembly, checked.scene)
-            try:
-                scenario.write(self.out, made)
-            except ValueError as problem:
-                expected = "a scene that a file holds"
-                raise FileError(str(self.out), "", str(problem), expected) from None
+        write_checked(self.out, self.layout, checked)
         return self.layout, checked, self.out
