@@ -168,9 +168,26 @@ def test_a_scene_is_in_a_fluid_and_touched_by_a_tool_that_its_layout_says(layout
     assert say(capsys, "tool", layout, "--remove")["tools"] == []
 
 
+def test_a_layout_keeps_its_words_gravity_and_fluid(layout, tmp_path, capsys):
+    out = tmp_path / "stone.palpate"
+    told = say(capsys, "set", layout, "--title", "A stone", "--task-tr", "Taşı alın",
+               "--gravity", "0,0,-9.81", "--fluid", "1000,0.001")  # fmt: skip
+    assert (told["title"], told["gravity_m_per_s2"]) == ("A stone", [0.0, 0.0, -9.81])
+
+    say(capsys, "publish", layout, "-o", out)
+
+    made = palpate.scenario.read(out)
+    assert made.scene.gravity[2] == -9.81 and made.scene.fluid.density == 1000.0
+    assert (made.title, made.languages["tr"].task) == ("A stone", "Taşı alın")
+    told = say(capsys, "set", layout, "--fluid", "none", "--gravity", "none")
+    assert (told["title"], told["fluid"], told["gravity_m_per_s2"]) == ("A stone", None, None)
+    assert say(capsys, "undo", layout)["fluid"] == [1000.0, 0.001]
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
+        (("set",), "set: got nothing to keep, expected one at least of its options"),
         (("tool", "--radius", "1m"), "--radius: got 1, expected 1e-05 to 0.2"),
         (("tool", "--kind", "ball", "--trocar", "0,0,9"), "--trocar: got one for a ball"),
         (("check", "--fluid", "water"), "--fluid: got 'water', expected DENSITY,VISCOSITY"),

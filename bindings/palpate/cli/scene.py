@@ -6,10 +6,10 @@ from __future__ import annotations
 
 import argparse
 import math
-from dataclasses import replace
+from collections.abc import Callable
 from pathlib import Path
 
-from palpate.cli.scene_changes import CHANGES, KINDS, ORGAN, UNITS
+from palpate.cli.scene_changes import CHANGES, KINDS, ORGAN, UNITS, change_words
 from palpate.cli.scene_words import describe_scene, has_failed
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
@@ -30,6 +30,7 @@ READS = {"new": "write a layout without bodies",
          "place": "move, turn, snap, change or remove what is in it",
          "pair": "say which two bodies may touch, or which scenery stops a body",
          "tool": "say with which instrument it is touched",
+         "set": "keep its title, its task, gravity and the fluid that stones are in",
          "undo": "take back the last change", "redo": "make it again",
          "check": "list overlaps, costs and all that is wrong",
          "publish": "write what `palpate press` and `palpate play` run"}  # fmt: skip
@@ -48,16 +49,16 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
             help="report as JSON on standard output",
         )  # fmt: skip
     for option in ("--title", "--task", "--title-tr", "--task-tr"):
-        for name in ("new", "publish"):
+        for name in ("new", "set", "publish"):
             made[name].add_argument(option)
-    for name in ("new", "check", "publish"):
+    for name in ("new", "set", "check", "publish"):
         made[name].add_argument(
-            "--gravity", type=read_three, metavar="X,Y,Z",
-            help="[m/s²]; default: as the first organ has it, which is none of most",
+            "--gravity", type=or_none(read_three), metavar="X,Y,Z",
+            help="[m/s²]; default, and none: as the first organ has it, which is 0 of most",
         )  # fmt: skip
         made[name].add_argument(
-            "--fluid", type=read_two, metavar="DENSITY,VISCOSITY",
-            help="[kg/m³], [Pa s] that stones are in, 1000,0.001 for water that irrigates (none)",
+            "--fluid", type=or_none(read_two), metavar="DENSITY,VISCOSITY",
+            help="[kg/m³], [Pa s] that stones are in: 1000,0.001 of water that irrigates; or none",
         )  # fmt: skip
     made["add"].add_argument(
         "organ", type=Path, metavar="FILE",
@@ -142,6 +143,11 @@ def add_tool(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--remove", action="store_true", help="that of the first organ again")
 
 
+def or_none(read: Callable[[str], tuple[float, ...]]) -> Callable[[str], tuple[float, ...]]:
+    """Reads `none` too, as no numbers."""
+    return lambda text: () if text == "none" else read(text)
+
+
 def read_two(text: str) -> tuple[float, float]:
     try:
         density, viscosity = (float(part) for part in text.split(","))
@@ -167,21 +173,15 @@ def read_three(text: str) -> tuple[float, float, float]:
 def run_scene(call: argparse.Namespace) -> Report:
     try:
         if call.action == "new":
-            return write(call, History(set_words(Layout(), call)))
+            return write(call, History(change_words(Layout(), call)))
         history = read_layout(call.file)
         if call.action in ("check", "publish"):
-            return run_checked(call, set_words(history.now, call))
+            return run_checked(call, change_words(history.now, call))
         if call.action in ("undo", "redo"):
             return write(call, getattr(document, call.action)(history))
         return write(call, document.apply(history, CHANGES[call.action](history.now, call)))
     except LayoutError as problem:
         raise WrongCall(str(problem)) from None
-
-
-def set_words(layout: Layout, call: argparse.Namespace) -> Layout:
-    names = ("title", "task", "title_tr", "task_tr", "gravity", "fluid")
-    told = {name: getattr(call, name, None) for name in names}
-    return replace(layout, **{name: text for name, text in told.items() if text is not None})
 
 
 def write(call: argparse.Namespace, history: History) -> Report:
@@ -213,6 +213,9 @@ def describe_layout(layout: Layout) -> Report:
     ]
     return {
         "title": layout.title,
+        "task": layout.task,
+        "gravity_m_per_s2": list(layout.gravity) or None,
+        "fluid": list(layout.fluid) or None,
         "bodies": bodies,
         "pairs": pairs,
         "stones": stones,

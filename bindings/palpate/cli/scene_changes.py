@@ -168,9 +168,20 @@ def change_tool(layout: Layout, call: argparse.Namespace) -> Layout:
     return replace(layout, tools=(SceneTool(call.kind, **{**vars(usual), **said}, trocar=trocar),))
 
 
+def change_words(layout: Layout, call: argparse.Namespace) -> Layout:
+    """What a scene has beside what is placed in it; what is not told stays."""
+    names = ("title", "task", "title_tr", "task_tr", "gravity", "fluid")
+    told = {name: getattr(call, name, None) for name in names}
+    told = {name: value for name, value in told.items() if value is not None}
+    if call.action == "set" and not told:
+        raise WrongCall("set: got nothing to keep, expected one at least of its options")
+    return replace(layout, **told)
+
+
 CHANGES: dict[str, Callable[[Layout, argparse.Namespace], Layout]] = {
     "add": change_add,
     "place": change_place,
     "pair": change_pair,
     "tool": change_tool,
+    "set": change_words,
 }

@@ -12,6 +12,12 @@ from palpate.command.verb import Report
 
 def describe_scene(report: Report) -> str:
     lines = [f"{report['layout']}: {report['title'] or 'without a title'}"]
+    if report["gravity_m_per_s2"]:
+        x, y, z = report["gravity_m_per_s2"]
+        lines.append(f"  gravity {x:g}, {y:g}, {z:g} m/s²")
+    if report["fluid"]:
+        density, viscosity = report["fluid"]
+        lines.append(f"  its stones in a fluid of {density:g} kg/m³ and {viscosity:g} Pa s")
     for body in report["bodies"]:
         lines.append(describe_place(body) + ("; may fold" if body["may_fold"] else ""))
     for stone in report["stones"]:
