@@ -6,22 +6,21 @@ from __future__ import annotations
 from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from palpate_editor.app.recovery import Recovery, RecoveryFile
-from palpate_editor.app.session import Session
-from palpate_editor.document import Organ
+from palpate_editor.app.recovery import ORGAN, DocumentKind, Recovery, RecoveryFile
 
 DELAY = 1000
 """[ms] An edit is on the disk at the latest so long after it was made, if the disk keeps up."""
 
 
 class Autosave(QObject):
-    """Writes the unsaved organ of a session into a recovery file, beside the window.
+    """Writes the unsaved document of a session into a recovery file, beside the window.
 
     Documents are values, so a thread may write one while the next is being made. The file goes when
-    the organ is saved; it stays when the process is killed.
+    the document is saved; it stays when the process is killed.
     """
 
     saved = Signal(object)
@@ -32,40 +31,51 @@ class Autosave(QObject):
     """What went wrong in the thread, or empty."""
 
     def __init__(
-        self, session: Session, folder: Path, delay: int = DELAY, parent: QObject | None = None
+        self,
+        session: Any,
+        folder: Path,
+        delay: int = DELAY,
+        parent: QObject | None = None,
+        kind: DocumentKind = ORGAN,
     ):
+        """`session` is a Session, or a LayoutSession with `kind` LAYOUT."""
         super().__init__(parent)
         self.session = session
-        self.file = RecoveryFile(folder)
+        self.file = RecoveryFile(folder, kind)
         self.thread_pool = ThreadPoolExecutor(1, thread_name_prefix="autosave")
         self.busy = False
-        self.kept: Organ | None = None
-        """The organ that the recovery file has."""
+        self.kept: Any = None
+        """What the recovery file has."""
         self.timer = QTimer(self, singleShot=True, interval=delay)
         self.timer.timeout.connect(self.keep)
         self._written.connect(self._end_write)
         session.changed.connect(self._on_changed)
         session.title_changed.connect(self._on_title_changed)
 
+    @property
+    def value(self) -> Any:
+        """The document as it is."""
+        return getattr(self.session, self.file.kind.held)
+
     def keep(self) -> None:
         """Writes what is unsaved now, in the thread."""
-        if self.session.saved or self.session.organ is self.kept:
+        if self.session.saved or self.value is self.kept:
             return
         if self.busy:  # _end_write comes back to this
             return
-        self.busy, self.kept = True, self.session.organ
+        self.busy, self.kept = True, self.value
         session = self.session
         self.thread_pool.submit(self._write, self.kept, session.path, session.name, session.state)
 
     def restore(self, recovery: Recovery) -> None:
         """Puts what a crash left in the editor. It is removed once this editor has a copy of it.
 
-        Raises FileError or OSError, and then nothing has changed.
+        Raises FileError, Refusal or OSError, and then nothing has changed.
         """
-        organ = recovery.read()
-        self.file.write(organ, recovery.document, recovery.name, recovery.state)
-        self.kept = organ
-        self.session.restore(organ, recovery.document, recovery.state)
+        value = recovery.read()
+        self.file.write(value, recovery.document, recovery.name, recovery.state)
+        self.kept = value
+        self.session.restore(value, recovery.document, recovery.state)
         recovery.remove()
 
     def finish(self) -> None:
@@ -74,9 +84,9 @@ class Autosave(QObject):
         self.thread_pool.shutdown(wait=True)
         self.file.remove()
 
-    def _write(self, organ: Organ, path: Path | None, name: str, state: str | None) -> None:
+    def _write(self, value: Any, path: Path | None, name: str, state: str | None) -> None:
         try:
-            self.file.write(organ, path, name, state)
+            self.file.write(value, path, name, state)
         except OSError as problem:  # a FileError is one
             self._written.emit(str(problem))
         else:
@@ -95,7 +105,7 @@ class Autosave(QObject):
             self._on_changed()
 
     def _on_changed(self, *_: object) -> None:
-        unsaved = not self.session.saved and self.session.organ is not self.kept
+        unsaved = not self.session.saved and self.value is not self.kept
         if unsaved and not self.timer.isActive():
             self.timer.start()
 

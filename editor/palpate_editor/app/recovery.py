@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is left of an editor that was killed: unsaved organs in a folder, one for each editor.
+"""What is left of an editor that was killed: unsaved documents in a folder, one for each window.
 
-<token>.lock     held by the living editor that writes the other two
-<token>.organ    the organ as it was, in the format of working files
-<token>.json     which file it belongs to, and when it was written
+<token>.lock              held by the living editor that writes the other two
+<token>.organ, .layout    the organ, or the scene with its past, in the format of its files
+<token>.json              which file it belongs to, and when it was written
 """
 
 from __future__ import annotations
@@ -11,14 +11,16 @@ from __future__ import annotations
 import json
 import secrets
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from palpate.files.whole_file import write_whole
+from palpate.layout.layout_file import read_layout, write_layout
 from PySide6.QtCore import QLockFile, QStandardPaths
 
-from palpate_editor.document import Organ
 from palpate_editor.document.files import read_organ, write_organ
 
 
@@ -34,8 +36,25 @@ def find_recovery_folder() -> Path:
 
 
 @dataclass(frozen=True)
+class DocumentKind:
+    """How a document is kept."""
+
+    ending: str
+    held: str
+    """The attribute of its session that is the document, a value."""
+    read: Callable[[Path], Any]
+    """Raises FileError, Refusal or OSError."""
+    write: Callable[[Path, Any], None]
+
+
+ORGAN = DocumentKind(".organ", "organ", read_organ, write_organ)
+LAYOUT = DocumentKind(".layout", "history", read_layout, write_layout)
+KINDS = {kind.ending: kind for kind in (ORGAN, LAYOUT)}
+
+
+@dataclass(frozen=True)
 class Recovery:
-    """An unsaved organ whose editor is no more."""
+    """An unsaved document whose editor is no more."""
 
     file: Path
     document: Path | None
@@ -45,14 +64,18 @@ class Recovery:
     time: datetime
     """When it was written."""
     state: str | None = None
-    """Of the document when the organ was read from it; see document.file_state."""
+    """Of the document's file when it was read from it; see document.file_state."""
 
-    def read(self) -> Organ:
-        """Raises FileError."""
-        return read_organ(self.file)
+    @property
+    def kind(self) -> DocumentKind:
+        return KINDS[self.file.suffix]
+
+    def read(self) -> Any:
+        """Raises FileError, Refusal or OSError."""
+        return self.kind.read(self.file)
 
     def remove(self) -> None:
-        for ending in (".organ", ".json", ".lock"):
+        for ending in (self.file.suffix, ".json", ".lock"):
             self.file.with_suffix(ending).unlink(missing_ok=True)
 
 
@@ -66,7 +89,7 @@ def lock(file: Path) -> QLockFile:
 def find_recoveries(folder: Path) -> list[Recovery]:
     """What no living editor is at work on, the newest first."""
     found = []
-    for file in folder.glob("*.organ"):
+    for file in (file for ending in KINDS for file in folder.glob(f"*{ending}")):
         held = lock(file)
         if not held.tryLock(0):
             continue
@@ -94,15 +117,14 @@ def describe(file: Path) -> Recovery:
 
 
 class RecoveryFile:
-    """The recovery file of this editor, held by its lock until it is removed."""
+    """The recovery file of a session, held by its lock until it is removed."""
 
-    def __init__(self, folder: Path):
-        self.path = folder / f"{secrets.token_hex(8)}.organ"
+    def __init__(self, folder: Path, kind: DocumentKind = ORGAN):
+        self.kind = kind
+        self.path = folder / f"{secrets.token_hex(8)}{kind.ending}"
         self.held = lock(self.path)
 
-    def write(
-        self, organ: Organ, document: Path | None, name: str, state: str | None = None
-    ) -> None:
+    def write(self, value: Any, document: Path | None, name: str, state: str | None = None) -> None:
         """Whole or not at all. Raises FileError or OSError."""
         if not self.held.isLocked() and not self.held.tryLock(0):
             raise OSError(f"{self.held.fileName()}: the lock of recovery cannot be had")
@@ -112,11 +134,11 @@ class RecoveryFile:
             "state": state,
         }
         write_whole(self.path.with_suffix(".json"), json.dumps(note).encode())
-        write_organ(self.path, organ)
+        self.kind.write(self.path, value)
 
     def remove(self) -> None:
         """Nothing is left to recover."""
-        for ending in (".organ", ".json"):
+        for ending in (self.kind.ending, ".json"):
             self.path.with_suffix(ending).unlink(missing_ok=True)
         if self.held.isLocked():
             self.held.unlock()

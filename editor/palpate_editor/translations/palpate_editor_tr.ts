@@ -101,6 +101,70 @@
         <translation>Yayımlanmış organları, taşları ve sabit çevreyi yerleştirin; hangilerinin dokunabileceğini belirtin.</translation>
     </message>
     <message>
+        <source>Each jaw opens</source>
+        <translation>Her çene açılır</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Yerçekimi</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Alet</translation>
+    </message>
+    <message>
+        <source>It bears them and slows them down</source>
+        <translation>Onları kaldırır ve yavaşlatır</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Yarıçap</translation>
+    </message>
+    <message>
+        <source>Spheres of its hull</source>
+        <translation>Kabuğunun küreleri</translation>
+    </message>
+    <message>
+        <source>Stones are in a fluid</source>
+        <translation>Taşlar bir sıvının içinde</translation>
+    </message>
+    <message>
+        <source>Task in Turkish</source>
+        <translation>Türkçe görev</translation>
+    </message>
+    <message>
+        <source>That of the first organ</source>
+        <translation>İlk organınki</translation>
+    </message>
+    <message>
+        <source>Through a trocar at</source>
+        <translation>Şuradaki trokardan</translation>
+    </message>
+    <message>
+        <source>Title in Turkish</source>
+        <translation>Türkçe başlık</translation>
+    </message>
+    <message>
+        <source>Title, task and surroundings</source>
+        <translation>Başlık, görev ve çevre</translation>
+    </message>
+    <message>
+        <source>Without it, as the first organ was published, often none</source>
+        <translation>Bu olmadan, ilk organ yayımlandığı gibi, çoğunlukla yok</translation>
+    </message>
+    <message>
+        <source>Without one the device turns it</source>
+        <translation>Trokar olmadan aygıt onu döndürür</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Yoğunluk</translation>
+    </message>
+    <message>
+        <source>Length that touches</source>
+        <translation>Dokunan uzunluk</translation>
+    </message>
+    <message>
         <source>Press each pair</source>
         <translation>Her çifti bastır</translation>
     </message>

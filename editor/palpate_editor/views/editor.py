@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import gc
 import logging
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from palpate import FileError
@@ -16,7 +18,12 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from palpate_editor.app.autosave import Autosave
 from palpate_editor.app.open_document import OpenDocument
-from palpate_editor.app.recovery import Recovery, find_recoveries, find_recovery_folder
+from palpate_editor.app.recovery import (
+    LAYOUT,
+    Recovery,
+    find_recoveries,
+    find_recovery_folder,
+)
 from palpate_editor.app.session import Session
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.layout.layout_window import LayoutWindow
@@ -110,25 +117,34 @@ class Editor(QObject):
 
     def open_layout(self, path: Path, is_new: bool = False) -> None:
         """A scene in a window of its own; a refusal is said in the main one."""
-        theme = self.window.context.theme
-        layout = LayoutWindow(self.settings, theme)
+        layout = self.build_layout()
+        self.show_layout(layout, partial(layout.begin if is_new else layout.open, path))
+
+    def build_layout(self) -> LayoutWindow:
+        layout = LayoutWindow(self.settings, self.window.context.theme)
+        layout.autosave = Autosave(layout.session, self.folder, parent=layout, kind=LAYOUT)
+        layout.autosave.failed.connect(layout.tell)
+        return layout
+
+    def show_layout(self, layout: LayoutWindow, fill: Callable[[], None]) -> bool:
+        """The window, if it can be filled; a refusal is said in the main one."""
         try:
-            if is_new:
-                layout.begin(path)
-            else:
-                layout.open(path)
+            fill()
         except (Refusal, OSError) as problem:
             layout.may_close = True
+            layout.autosave.finish()
             layout.deleteLater()
             self.window.context.refuse(problem)
-            return
+            return False
         self.layouts.append(layout)
         layout.closed.connect(self.forget_layout)
         layout.show()
+        return True
 
     def forget_layout(self) -> None:
         """A window of a scene has closed."""
         layout = self.sender()
+        layout.autosave.finish()
         self.layouts = [each for each in self.layouts if each is not layout]
         layout.deleteLater()
         if self.is_ending:
@@ -187,10 +203,14 @@ class Editor(QObject):
         self.question = None
         newest = self.recoveries.pop(0)
         context = self.window.context
-        if button == QMessageBox.StandardButton.Open:
+        if button == QMessageBox.StandardButton.Open and newest.kind is LAYOUT:
+            self.restore_layout(newest)
+            if self.recoveries:
+                self.ask_recovery()
+        elif button == QMessageBox.StandardButton.Open:
             try:
                 self.autosave.restore(newest)
-            except (FileError, OSError) as problem:
+            except (FileError, Refusal, OSError) as problem:
                 context.refuse(problem)
                 return
             context.view.frame_all()
@@ -200,6 +220,11 @@ class Editor(QObject):
             newest.remove()
             if self.recoveries:
                 self.ask_recovery()
+
+    def restore_layout(self, recovery: Recovery) -> None:
+        layout = self.build_layout()
+        if self.show_layout(layout, partial(layout.autosave.restore, recovery)):
+            layout.tell(tr("Here is what was not saved. Save it to keep it."), "info")
 
     def finish(self) -> None:
         """The main window has closed; what ends now may still be used by those of scenes."""

@@ -31,11 +31,15 @@ class LayoutSession(QObject):
         self.history = History(Layout())
         self.written: History | None = None
         """As the file has it."""
-        self._state: str | None = None
+        self.state: str | None = None
 
     @property
     def layout(self) -> Layout:
         return self.history.now
+
+    @property
+    def name(self) -> str:
+        return self.path.name
 
     @property
     def saved(self) -> bool:
@@ -45,7 +49,7 @@ class LayoutSession(QObject):
         """Raises Refusal or OSError, and then nothing has changed."""
         state = read_state(path)
         history = read_layout(path)
-        self.path, self._state, self.written = path, state, history
+        self.path, self.state, self.written = path, state, history
         self._show(history)
 
     def begin(self, path: Path) -> None:
@@ -54,6 +58,16 @@ class LayoutSession(QObject):
         self.history = History(Layout())
         self.save()
         self.changed.emit()
+
+    def restore(self, history: History, path: Path | None, state: str | None = None) -> None:
+        """What belongs to the file at `path` but is not in it; `state` is that of the file when it
+        was read. Raises OSError where nobody knows which file."""
+        if path is None:
+            raise OSError(
+                "recovery: got a scene of no file, expected one: what is in it is named from there"
+            )
+        self.path, self.state, self.written = path, state, None
+        self._show(history)
 
     def apply(self, layout: Layout) -> None:
         """One step of the history."""
@@ -69,12 +83,12 @@ class LayoutSession(QObject):
 
     def is_changed_on_disk(self) -> bool:
         """Whether the file holds what this session neither read nor wrote."""
-        return is_changed(self.path, self._state)
+        return is_changed(self.path, self.state)
 
     def save(self) -> None:
         """Raises OSError."""
         write_layout(self.path, self.history)
-        self._state, self.written = read_state(self.path), self.history
+        self.state, self.written = read_state(self.path), self.history
         self.title_changed.emit()
 
     def save_as(self, path: Path) -> None:
@@ -82,7 +96,7 @@ class LayoutSession(QObject):
         before = self.path.resolve().parent
         history = rename_files(self.history, before, path.resolve().parent)
         write_layout(path, history)
-        self.path, self._state, self.written = path, read_state(path), history
+        self.path, self.state, self.written = path, read_state(path), history
         self._show(history)
 
     def _show(self, history: History) -> None:

@@ -28,6 +28,7 @@ from PySide6.QtWidgets import (
     QScrollArea,
 )
 
+from palpate_editor.app.autosave import Autosave
 from palpate_editor.app.settings import Settings
 from palpate_editor.layout_changes import Words, change, write_line, write_three
 from palpate_editor.layout_shapes import Key, PartShape, find_degrees, key_of
@@ -68,6 +69,8 @@ class LayoutWindow(QMainWindow):
         fit_to_screen(self, SIZE)
         self.session = LayoutSession(self)
         self.jobs = Jobs(self)
+        self.autosave: Autosave
+        """Set by the editor that opens it."""
         self.files = LayoutFiles(self.session, settings, self)
         self.view = make_view(self)
         self.view.use_theme(theme)
@@ -152,7 +155,8 @@ class LayoutWindow(QMainWindow):
         panel = self.panel
         panel.form.wanted.connect(self.do)
         panel.form.heavy_wanted.connect(self.do_beside)
-        panel.pairs.wanted.connect(self.do)
+        for form in (panel.pairs, panel.tool_form, panel.scene_form):
+            form.wanted.connect(self.do)
         panel.add_wanted.connect(self.ask_add)
         panel.apart_wanted.connect(self.move_apart)
         panel.look_wanted.connect(self.look_at)

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.layout_changes import Words, write_three
 from palpate_editor.layout_shapes import Key, PartShape, find_degrees, key_of
+from palpate_editor.views.layout.number_grid import NumberGrid
 from palpate_editor.views.quantity_box import QuantityBox
 from palpate_editor.views.translations import tr
 
@@ -29,7 +30,7 @@ GAP = 5e-4
 
 
 class PartForm(QWidget):
-    """Position and angles, laying a region on another, folding, removing."""
+    """Position and angles, laying a region on another, folding, what a stone is of, removing."""
 
     wanted = Signal(object)
     """The words of a change."""
@@ -67,6 +68,12 @@ class PartForm(QWidget):
         self.folds.setObjectName("folds")
         self.folds.clicked.connect(self._fold)
         inner.addWidget(self.folds)
+        self.numbers = NumberGrid(self)
+        self.numbers.add("density", tr("Density"), "kg/m³")
+        self.numbers.add("spheres", tr("Spheres of its hull"), "")
+        self.numbers.add("friction", tr("Friction"), "")
+        self.numbers.entered.connect(self._number)
+        inner.addWidget(self.numbers)
         self._build_snap(inner)
         self.remove = QPushButton(tr("Remove from the scene"), self)
         self.remove.setObjectName("remove_part")
@@ -125,6 +132,9 @@ class PartForm(QWidget):
         is_body = isinstance(part, PlacedBody)
         self.folds.setVisible(is_body)
         self.folds.setChecked(bool(getattr(part, "may_fold", False)))
+        self.numbers.setVisible(not is_body)
+        for name in self.numbers.boxes:
+            self.numbers.show_value(name, getattr(part, name, None))
         regions = regions_of(shapes, part)
         others = [
             f"{body.name}/{region}"
@@ -176,6 +186,13 @@ class PartForm(QWidget):
     def _fold(self, on: bool) -> None:
         if self.part is not None:
             self.wanted.emit(("place", self.part.name, "--fold" if on else "--no-fold"))
+
+    def _number(self, name: str, value: float) -> None:
+        if self.part is not None:
+            if name == "spheres":
+                value = round(value)
+            unit = "kg/m3" if name == "density" else ""
+            self.wanted.emit(("place", self.part.name, f"--{name}={value:.9g}{unit}"))
 
     def _snap(self) -> None:
         if self.part is not None and self.gap.shown is not None:

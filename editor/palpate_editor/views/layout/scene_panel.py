@@ -16,6 +16,8 @@ from palpate_editor.views.budget import CONTACT, Budget, Part
 from palpate_editor.views.budget_bar import BudgetBar
 from palpate_editor.views.layout.pair_rows import PairRows
 from palpate_editor.views.layout.part_form import PartForm
+from palpate_editor.views.layout.scene_form import SceneForm
+from palpate_editor.views.layout.tool_form import ToolForm
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
 from palpate_editor.views.theme import Colours, title_font
 from palpate_editor.views.translations import tr
@@ -65,10 +67,17 @@ class ScenePanel(QWidget):
         self.form = PartForm(self)
         chosen.add(self.form)
         column.addWidget(chosen)
+        said = Section(tr("Title, task and surroundings"), self)
+        self.scene_form = SceneForm(self)
+        said.add(self.scene_form)
+        touched = Section(tr("Instrument"), self)
+        self.tool_form = ToolForm(self)
+        touched.add(self.tool_form)
         touching = Section(tr("What may touch"), self)
         self.pairs = PairRows(self)
         touching.add(self.pairs)
         column.addWidget(touching)
+        column.addWidget(touched)
         self.checks = Section(tr("Checks"), self)
         self.rows: list[CheckRow] = []
         column.addWidget(self.checks)
@@ -80,6 +89,7 @@ class ScenePanel(QWidget):
         self.measure.clicked.connect(self.measure_wanted)
         costs.add(self.measure)
         column.addWidget(costs)
+        column.addWidget(said)
         column.addStretch(1)
         self.publish = QPushButton(tr("Publish the scene…"), self)
         self.publish.setObjectName("publish_scene")
@@ -92,6 +102,8 @@ class ScenePanel(QWidget):
     ) -> None:
         self.form.show_part(layout, shapes, part)
         self.pairs.show_layout(layout)
+        self.tool_form.show_layout(layout)
+        self.scene_form.show_layout(layout)
 
     def show_checked(self, checked: Checked | None) -> None:
         """The gravest first; None while nothing is known."""
