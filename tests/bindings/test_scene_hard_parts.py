@@ -127,6 +127,17 @@ def test_a_stone_that_nothing_bears_and_scenery_that_stops_nothing_are_told(layo
     assert "scene" not in said
 
 
+def test_an_organ_that_gravity_pulls_far_from_where_it_was_scanned_is_told(layout, capsys):
+    say(capsys, "pair", layout, "table", "organ", "--remove")
+
+    heavy = say(capsys, "check", layout, "--gravity", "0,0,-2000")
+    usual = say(capsys, "check", layout, "--gravity", "0,0,-9.81")
+
+    (said,) = [each for each in heavy["problems"] if each["where"] == "organ"]
+    assert said["severity"] == "warning" and "it was scanned as it lies" in said["message"]
+    assert "organ" not in {each["where"] for each in usual["problems"]}
+
+
 def test_a_published_stone_lies_on_its_table_under_gravity(layout, tmp_path, capsys):
     out = tmp_path / "stone.palpate"
     told = say(capsys, "publish", layout, "-o", out, "--gravity", "0,0,-9.81")
@@ -261,6 +272,7 @@ def test_a_layout_of_before_there_were_stones_is_read(layout, capsys):
         (["pair", "table", "table"], 2, "got a body with itself"),
         (["add", "open.obj", "--as", "stone"], 1, "got an open surface, expected a closed one"),
         (["add", "stone.obj", "--as", "stone", "--name", "big"], 1, "--unit mm"),
+        (["add", "tiny.obj", "--as", "stone", "--unit", "mm"], 1, "expected 0.5 mm or more"),
         (["add", "stone.obj", "--as", "stone", "--unit", "mm"], 2, "a name that is taken"),
         (["add", "organ.palpate", "--unit", "mm", "--name", "other"], 2, "an organ has its own"),
         (["add", "organ.palpate", "--as", "stone", "--name", "other"], 1, "organ.palpate: got"),
@@ -272,6 +284,7 @@ def test_what_cannot_be_done_is_refused_and_leaves_the_layout_as_it_was(
     monkeypatch.chdir(layout.parent)
     open_one = palpate.SurfaceMesh([(0, 0, 0), (0.01, 0, 0), (0, 0.01, 0)], [(0, 1, 2)])
     write_mesh(layout.parent / "open.obj", open_one)
+    write_mesh(layout.parent / "tiny.obj", make_stone(1e-3))
     before = layout.read_bytes()
 
     assert main(["scene", words[0], str(layout), *words[1:]]) == code

@@ -13,8 +13,9 @@ from palpate.layout.settle import SETTLED, Settled, settle
 
 ROUGH = 0.15
 """[-] Of a stone's length: a hull that lies deeper in the mesh is seen to."""
-AT_REST, FAR, FALLEN = 0.01, 1e-3, 0.1
-"""[m/s] of what lies still, [m] of what has moved, and of what has fallen."""
+AT_REST, FAR, SAGGED, FALLEN = 0.01, 1e-3, 0.01, 0.1
+"""[m/s] of what lies still, [m] of what has moved, of what is no longer as it was scanned, and of
+what has fallen."""
 NUMBERED = re.compile(r"\b(body |scenery |bodies\[|rigid\[|scenery\[)(\d+)(\]?)")
 """A part of a scene by its number, as the core's sentences have it."""
 
@@ -50,7 +51,7 @@ def find_unsettled(layout: Layout, scene: palpate.Scene) -> list[Problem]:
     if layout.stones and not any(scene.gravity):
         problems.append(
             Problem(NOTE, "scene",
-                    "has no gravity, so stones float: `palpate scene publish "
+                    "has no gravity, so stones float: `palpate scene set LAYOUT "
                     "--gravity=0,0,-9.81` gives it one")
         )  # fmt: skip
     for placed, stone in zip(layout.stones, rest.stones, strict=True):
@@ -60,7 +61,14 @@ def find_unsettled(layout: Layout, scene: palpate.Scene) -> list[Problem]:
         elif stone.speed > AT_REST or stone.moved > FAR:
             problems.append(Problem(NOTE, placed.name, describe(stone)))
     for organ, body in zip(layout.bodies, rest.bodies, strict=True):
-        if body.moved > FAR:
+        if body.moved > SAGGED and any(scene.gravity):
+            said = (
+                f"{describe(body)}, where most, expected at most {1e3 * SAGGED:g} mm: it was "
+                "scanned as it lies, and here gravity pulls it down once more; hold it at more "
+                "places, or go without gravity"
+            )
+            problems.append(Problem(WARNING, organ.name, said))
+        elif body.moved > FAR:
             said = f"{describe(body)}, where most: gravity, or what it lies on, moves it"
             problems.append(Problem(NOTE, organ.name, said))
     return problems

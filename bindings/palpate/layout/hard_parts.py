@@ -17,7 +17,8 @@ from palpate.layout.stone import Hull, fit_hull, measure_mass
 from palpate.scene.mesh_file import read_mesh_file
 from palpate.scene.scene_file import hash_file
 
-LONGEST_STONE, LONGEST_SCENERY = 0.3, 5.0
+SHORTEST_STONE, LONGEST_STONE = 5e-4, 0.3
+SHORTEST_SCENERY, LONGEST_SCENERY = 1e-3, 5.0
 """[m] Beyond these a unit was mistaken."""
 
 
@@ -46,14 +47,19 @@ def read_part_mesh(path: Path, part: PlacedMesh) -> palpate.SurfaceMesh:
 
 
 def scale_mesh(file: Path, mesh: palpate.SurfaceMesh, part: PlacedMesh) -> palpate.SurfaceMesh:
-    """[m] Refused where it is open, for a stone, or far too long."""
+    """[m] Refused where it is open, for a stone, or far too long or too short."""
     x = part.scale * np.asarray(mesh.vertices)
     length = float(np.ptp(x, axis=0).max())
-    most = LONGEST_STONE if isinstance(part, PlacedStone) else LONGEST_SCENERY
-    if not 0.0 < length <= most:
+    is_stone = isinstance(part, PlacedStone)
+    least = SHORTEST_STONE if is_stone else SHORTEST_SCENERY
+    if not length >= least:
+        expected = f"{1e3 * least:g} mm or more; a file in metres is added with --unit m"
+        raise Refusal(file, "", f"{1e3 * length:.3g} mm from side to side", expected)
+    most = LONGEST_STONE if is_stone else LONGEST_SCENERY
+    if not length <= most:
         expected = f"up to {most:g} m; a file in millimetres is added with --unit mm"
         raise Refusal(file, "", f"{length:g} m from side to side", expected)
-    if isinstance(part, PlacedStone) and len(palpate.find_border_loops(mesh.triangles)):
+    if is_stone and len(palpate.find_border_loops(mesh.triangles)):
         raise Refusal(file, "", "an open surface", "a closed one, as a stone has")
     return palpate.SurfaceMesh(x, mesh.triangles)
 

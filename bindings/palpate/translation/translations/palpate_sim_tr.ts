@@ -256,8 +256,8 @@
         <translation>hiç yok, bir ya da daha çok olmalı: bir organ ekleyin</translation>
     </message>
     <message>
-        <source>has no gravity, so stones float: `palpate scene publish --gravity=0,0,-9.81` gives it one</source>
-        <translation>yerçekimi yok, taşlar yüzer: `palpate scene publish --gravity=0,0,-9.81` ona yerçekimi verir</translation>
+        <source>has no gravity, so stones float: `palpate scene set LAYOUT --gravity=0,0,-9.81` gives it one</source>
+        <translation>yerçekimi yok, taşlar yüzer: `palpate scene set LAYOUT --gravity=0,0,-9.81` ona yerçekimi verir</translation>
     </message>
     <message>
         <source>went %1 mm through each other when pressed</source>
@@ -460,6 +460,10 @@
         <translation>sabit çevrenin %1 numaralı köşesi, %3 numaralı cismin %2 mm içinde</translation>
     </message>
     <message>
+        <source>%1 mm from side to side</source>
+        <translation>bir yandan öbürüne %1 mm</translation>
+    </message>
+    <message>
         <source>%1 m from side to side</source>
         <translation>bir yandan öbürüne %1 m</translation>
     </message>
@@ -490,6 +494,10 @@
     <message>
         <source>one with an inside</source>
         <translation>içi olan bir ağ</translation>
+    </message>
+    <message>
+        <source>%1 mm or more; a file in metres is added with --unit m</source>
+        <translation>%1 mm ya da daha çok; metre cinsinden bir dosya --unit m ile eklenir</translation>
     </message>
     <message>
         <source>up to %1 m; a file in millimetres is added with --unit mm</source>
@@ -3998,6 +4006,10 @@
     <message>
         <source>some in a layout of version %1</source>
         <translation>%1 sürümlü bir düzende bir şey</translation>
+    </message>
+    <message>
+        <source>%1, where most, expected at most %2 mm: it was scanned as it lies, and here gravity pulls it down once more; hold it at more places, or go without gravity</source>
+        <translation>%1, en çok gittiği yerde; beklenen en çok %2 mm: durduğu gibi tarandı ve yerçekimi onu burada bir kez daha aşağı çekiyor; daha çok yerinden tutun ya da yerçekimi kullanmayın</translation>
     </message>
     <message>
         <source>%1, where most: gravity, or what it lies on, moves it</source>
