@@ -11,7 +11,9 @@ from pathlib import Path
 import numpy as np
 import palpate
 from palpate import scenario
-from palpate.layout.assemble import build, read_assembly, separate_bodies
+from palpate.assessment.check_problem import ERROR
+from palpate.layout.assemble import read_assembly
+from palpate.layout.check import check
 from palpate.layout.document import History, change_part
 from palpate.layout.gaps import Surface
 from palpate.layout.layout_file import read_layout, write_layout
@@ -226,12 +228,15 @@ def publish_covered() -> scenario.Scenario:
 
 
 def publish_layout(name: str) -> scenario.Scenario:
-    """Of meshes/scenes/NAME.layout.json, as `palpate scene publish` does."""
+    """Of meshes/scenes/NAME.layout.json, as `palpate scene publish` does. Raises ValueError for a
+    layout that this would not publish."""
     path = FOLDER / f"{name}.layout.json"
     layout = read_layout(path).now
-    assembly = read_assembly(path, layout)
-    separate_bodies(assembly)
-    return make_scenario(layout, assembly, build(assembly))
+    checked = check(path, layout, measures=False)
+    if checked.scene is None or checked.assembly is None or checked.has_errors:
+        found = [each for each in checked.problems if each.severity == ERROR]
+        raise ValueError("\n".join(f"{path.name}: {each.where}: {each.message}" for each in found))
+    return make_scenario(layout, checked.assembly, checked.scene)
 
 
 SCENES: dict[str, Callable[[], scenario.Scenario]] = {

@@ -48,6 +48,19 @@ def test_surfaces_that_coincide_or_overlap_are_moved_apart_by_the_thickness(dept
     np.testing.assert_allclose(found.shift, (0.0, 0.0, depth + TAU), atol=2e-6)
 
 
+def test_an_arch_over_a_body_has_no_inside():
+    """An open sheet: below it, far away, is not in it."""
+    angle = np.linspace(0.0, np.pi, 13)
+    rows = [(0.02 * np.cos(a), y, 0.02 * np.sin(a)) for a in angle for y in (-0.02, 0.0, 0.02)]
+    cells = [(3 * i + k, 3 * i + k + 1) for i in range(12) for k in range(2)]
+    triangles = [t for a, b in cells for t in ((a, b, a + 3), (b, b + 3, a + 3))]
+    arch = Surface(np.array(rows), np.array(triangles, dtype=np.int32))
+    below = box((-0.005, -0.01, 0.0), (0.005, 0.01, 0.006))
+
+    for still, moved in ((below, arch), (arch, below)):
+        assert separate(1, moved, [Neighbour(0, still, TAU)]) is None
+
+
 def test_what_is_apart_by_half_the_thickness_stays():
     still = box((0.0, 0.0, 0.0), (0.02, 0.02, 0.01))
     moved = box((0.002, 0.002, 0.01 + 0.51 * TAU), (0.018, 0.018, 0.02))

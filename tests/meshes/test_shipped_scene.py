@@ -11,8 +11,10 @@ import palpate
 import palpate_meshes
 import pytest
 from palpate import scenario
+from palpate.assessment.check_problem import ERROR
 from palpate.cli.main import main
 from palpate.layout.assemble import build, read_assembly, separate_bodies
+from palpate.layout.check import check
 from palpate.layout.costs import find_far_side, press_pair, write_press
 from palpate.layout.gaps import find_least
 from palpate.layout.layout_file import read_layout
@@ -26,6 +28,14 @@ PUBLISHED = SCENES / "liver_gallbladder.palpate"
 @pytest.fixture(scope="module")
 def shipped() -> scenario.Scenario:
     return scenario.read(PUBLISHED)
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("path", sorted(SCENES.glob("*.layout.json")), ids=lambda path: path.name)
+def test_every_layout_that_ships_has_nothing_that_forbids_publishing_it(path):
+    found = check(path, read_layout(path).now, measures=False)
+
+    assert [each.message for each in found.problems if each.severity == ERROR] == []
 
 
 @pytest.mark.landing

@@ -51,8 +51,8 @@ class Surface:
         Beside an open border there is no inside, and gaps are above 0.
         """
         at = p - shift
-        within = bool((at > self.low).all() and (at < self.high).all())
-        found = palpate.find_closest_point(self.tree, self.x, at, np.inf if within else reach)
+        inside = not self.border and bool((at > self.low).all() and (at < self.high).all())
+        found = palpate.find_closest_point(self.tree, self.x, at, np.inf if inside else reach)
         if found is None:
             return None
         offset = at - np.asarray(found.point)
