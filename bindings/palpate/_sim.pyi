@@ -5377,11 +5377,13 @@ class FaultyTransport(Transport):
         """Raises TypeError: not to be pickled."""
 
 class PlaceKind(enum.Enum):
-    """Where on a tissue a step or a limit is, at rest."""
+    """Where a step or a limit is, of a tissue at rest."""
 
     region = 0
     path = 1
     ball = 2
+    object = 3
+    space = 4
 
 class TaskVerb(enum.Enum):
     """What a step asks for."""
@@ -5394,6 +5396,9 @@ class TaskVerb(enum.Enum):
     release = 5
     trace = 6
     find = 7
+    look = 8
+    remove = 9
+    carry = 10
 
 class TaskMeasure(enum.Enum):
     """What a limit watches."""
@@ -5407,6 +5412,9 @@ class TaskMeasure(enum.Enum):
     clearance = 6
     off_path = 7
     strain = 8
+    loose = 9
+    out_of_view = 10
+    object_force = 11
 
 class LimitConsequence(enum.Enum):
     """What becomes of a limit that opens."""
@@ -5463,7 +5471,9 @@ class Band:
         """The value on one line."""
 
 class TaskPlace:
-    """Where on a tissue a step or a limit is: of the tissue at rest, which moves with it."""
+    """Where a step or a limit is: of a tissue at rest, which moves with it, an object of the
+    scene, or a space in it.
+    """
     def __init__(
         self,
         *,
@@ -5477,7 +5487,7 @@ class TaskPlace:
     kind: PlaceKind
     """What it is."""
     body: int
-    """Of the scene."""
+    """Of the scene; of an object: of Scene.rigid."""
     @property
     def vertices(self) -> list[int]:
         """Of a region: of the body's surface."""
@@ -5485,22 +5495,29 @@ class TaskPlace:
     def vertices(self, value: Sequence[int]) -> None: ...
     @property
     def points(self) -> list[NDArray[np.float64]]:
-        """[m] shape (k, 3) when set: of a path two or more, of a ball its centre."""
+        """[m] shape (k, 3) when set: of a path two or more, of a ball or a space its centre."""
     @points.setter
     def points(self, value: Sequence[ArrayLike]) -> None: ...
     radius: float
-    """[m] of a ball; of a path, how far beside it still counts as on it."""
+    """[m] of a ball or a space; of a path, how far beside it still counts as on it."""
     @property
     def members(self) -> list[int]:
         """Of a region: per vertex of the surface 1 or 0; filled in by build_task."""
     @property
     def arc_length(self) -> list[float]:
         """[m] of a path: per point, from its beginning; filled in by build_task."""
+    @property
+    def seen(self) -> list[int]:
+        """Of a region or a ball: vertices of the surface by which a camera sees it; filled in
+        by build_task.
+        """
     def __copy__(self) -> TaskPlace:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> TaskPlace:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -5513,6 +5530,7 @@ class TaskStep:
         verb: TaskVerb = ...,
         instrument: int = ...,
         place: int = ...,
+        space: int = ...,
         force: Band = ...,
         depth: Band = ...,
         distance: Band = ...,
@@ -5528,12 +5546,14 @@ class TaskStep:
     """Of the scene."""
     place: int
     """Of the task; -1 for none, which only release may have."""
+    space: int
+    """Of the task: that remove is from, and carry into; else -1."""
     force: Band
     """[N] size of what the hand feels."""
     depth: Band
     """[m] of the tip below the surface at rest."""
     distance: Band
-    """[m] of what is held from where it is at rest."""
+    """[m] of what is held from where it is at rest; to look, of the lens."""
     duration: float
     """[s] for which it must be so; gaps of up to 0.1 s are left out."""
     share: float
@@ -5551,7 +5571,9 @@ class TaskStep:
         """A copy of its own."""
     def __getstate__(
         self, /
-    ) -> tuple[object, object, object, object, object, object, object, object, object, object]: ...
+    ) -> tuple[
+        object, object, object, object, object, object, object, object, object, object, object
+    ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -5623,6 +5645,68 @@ class TaskSurface:
     def __repr__(self) -> str:
         """The value on one line."""
 
+class TaskCamera:
+    """The lens of an instrument, in the tool's frame."""
+    def __init__(
+        self,
+        *,
+        instrument: int = ...,
+        at: ArrayLike = ...,
+        forward: ArrayLike = ...,
+        field_of_view: float = ...,
+    ) -> None:
+        """Arguments are the fields of these names, with their shapes and units."""
+    instrument: int
+    """Of the scene."""
+    field_of_view: float
+    """[rad] The whole angle of the round picture."""
+    @property
+    def at(self) -> NDArray[np.float64]:
+        """[m] shape (3,); shape (3,), a view."""
+    @at.setter
+    def at(self, value: ArrayLike) -> None: ...
+    @property
+    def forward(self) -> NDArray[np.float64]:
+        """[-] unit, shape (3,); shape (3,), a view."""
+    @forward.setter
+    def forward(self, value: ArrayLike) -> None: ...
+    def __copy__(self) -> TaskCamera:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TaskCamera:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
+class TaskObject:
+    """What is no tissue of a scene, as a task knows it."""
+    def __init__(self) -> None:
+        """Every field at its first value."""
+    @property
+    def rigid(self) -> int:
+        """Of Scene.rigid; -1 of scenery."""
+    @property
+    def start(self) -> RigidState:
+        """Of a rigid body: where the scene begins."""
+    @property
+    def vertices(self) -> NDArray[np.float64]:
+        """[m] shape (n, 3) in its own frame, of scenery the scene's; a view."""
+    @property
+    def sphere_centres(self) -> NDArray[np.float64]:
+        """[m] shape (k, 3) of a rigid body, in its own frame; a view."""
+    @property
+    def radii(self) -> NDArray[np.float64]:
+        """[m] shape (k,) of these; a view."""
+    def __copy__(self) -> TaskObject:
+        """A copy of its own."""
+    def __deepcopy__(self, memo: dict[int, object]) -> TaskObject:
+        """A copy of its own."""
+    def __getstate__(self, /) -> tuple: ...
+    def __setstate__(self, arg0: tuple) -> None: ...
+    def __repr__(self) -> str:
+        """The value on one line."""
+
 class Task:
     """All that judge() knows of a task, and never changes."""
     def __init__(
@@ -5633,6 +5717,7 @@ class Task:
         limits: Sequence[TaskLimit] = ...,
         time_limit: float = ...,
         errors_at_most: int = ...,
+        cameras: Sequence[TaskCamera] = ...,
     ) -> None:
         """Copies what it is given; build_task checks it.
 
@@ -5655,13 +5740,23 @@ class Task:
     def limits(self) -> tuple:
         """A TaskLimit each, a tuple of copies."""
     @property
+    def cameras(self) -> tuple:
+        """A TaskCamera each, a tuple of copies."""
+    @property
+    def objects(self) -> tuple:
+        """A TaskObject each, scenery before rigid bodies, a tuple of copies; filled in by
+        build_task.
+        """
+    @property
     def surfaces(self) -> tuple:
         """A TaskSurface for each body, a tuple of copies; filled in by build_task."""
     def __copy__(self) -> Task:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Task:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """What it is, on one line."""
@@ -5675,6 +5770,11 @@ def is_of_task(event: Event) -> bool:
 
 def is_kind(event: Event, kind: TaskEvent) -> bool:
     """Whether its kind is that."""
+
+def watches_sight(task: Task) -> bool:
+    """Whether its verdict depends on where all of a tissue is, so that World.follows_all must
+    be on.
+    """
 
 def build_task(scene: Scene, task: Task) -> Task:
     """A task, checked once, with what is derived from it and the scene. Raises ValueError

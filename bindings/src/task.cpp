@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "palpate/sim/task/task.h"
 
-#include <pybind11/native_enum.h>
 #include <pybind11/stl.h>
+
+#include <algorithm>
 
 #include "bindings.h"
 #include "border.h"
@@ -13,73 +14,6 @@
 namespace palpate::bindings {
 
 namespace {
-
-void bind_kinds(py::module_& m) {
-  py::native_enum<PlaceKind>(m, "PlaceKind", "enum.Enum",
-                             "Where on a tissue a step or a limit is, at rest.")
-      .value("region", PlaceKind::region, "A set of vertices of the surface.")
-      .value("path", PlaceKind::path, "A line over it, followed from its first point to its last.")
-      .value("ball", PlaceKind::ball, "All of it within a radius of a point.")
-      .finalize();
-  py::native_enum<TaskVerb>(m, "TaskVerb", "enum.Enum", "What a step asks for.")
-      .value("touch", TaskVerb::touch, "Contact at the place.")
-      .value("hold", TaskVerb::hold, "Contact there, and the force within its band.")
-      .value("push", TaskVerb::push, "Contact there, and force and depth within their bands.")
-      .value("pull", TaskVerb::pull,
-             "A hold there, moved outwards, and force and distance within their bands.")
-      .value("grasp", TaskVerb::grasp, "A hold there.")
-      .value("release", TaskVerb::release, "No hold there; anywhere, for no place.")
-      .value("trace", TaskVerb::trace,
-             "A share of a path touched in order, with the force within its band.")
-      .value("find", TaskVerb::find, "A click while what is touched is there.")
-      .finalize();
-  py::native_enum<TaskMeasure>(m, "TaskMeasure", "enum.Enum", "What a limit watches.")
-      .value("force", TaskMeasure::force, "[N] on the hand; with a place, the part there.")
-      .value("force_rate", TaskMeasure::force_rate, "[N/s] of it, over 20 ms.")
-      .value("contact", TaskMeasure::contact, "[N] any contact at the place at all.")
-      .value("depth", TaskMeasure::depth, "[m] of the tip below the surface at rest.")
-      .value("distance", TaskMeasure::distance, "[m] of what is held from where it is at rest.")
-      .value("speed", TaskMeasure::speed, "[m/s] of the tool, over 20 ms.")
-      .value("clearance", TaskMeasure::clearance, "[m] from the tip's surface to a ball.")
-      .value("off_path", TaskMeasure::off_path, "[m] from what is touched to a path.")
-      .value("strain", TaskMeasure::strain,
-             "[-] the largest principal one of what the tool touches or holds.")
-      .finalize();
-  py::native_enum<LimitConsequence>(m, "LimitConsequence", "enum.Enum",
-                                    "What becomes of a limit that opens.")
-      .value("warn", LimitConsequence::warn)
-      .value("error", LimitConsequence::error)
-      .value("end", LimitConsequence::end)
-      .finalize();
-  py::native_enum<Outcome>(m, "Outcome", "enum.IntEnum", "How an attempt at a task came out.")
-      .value("running", Outcome::running)
-      .value("done", Outcome::done)
-      .value("failed", Outcome::failed, "More errors than it may have, or a limit that ends it.")
-      .value("timed_out", Outcome::timed_out, "Of ticks: a pause takes no time.")
-      .value("left", Outcome::left, "Ended by the trainee.")
-      .value("device_fault", Outcome::device_fault, "The device failed, or gave no force any more.")
-      .value("diverged", Outcome::diverged, "An alarm: the tissue could not be simulated on.")
-      .value("interrupted", Outcome::interrupted, "The program ended; the record has no end.")
-      .finalize();
-  // an integer in Python too, to be compared with the column of a structured array
-  py::native_enum<TaskEvent>(m, "TaskEvent", "enum.IntEnum",
-                             "Kinds of an Event that a judge tells of, beside those of EventKind.")
-      .value("step_begun", TaskEvent::step_begun, "index: step of the task")
-      .value("step_done", TaskEvent::step_done, "index: step; value: how long [s] it has taken")
-      .value("step_overdue", TaskEvent::step_overdue, "index: step; value: its time limit [s]")
-      .value("click_missed", TaskEvent::click_missed,
-             "index: step; value: how far [m] from the place, -1 where nobody can tell")
-      .value("limit_opened", TaskEvent::limit_opened, "index: limit; value: of its measure")
-      .value("limit_closed", TaskEvent::limit_closed,
-             "index: limit; value: how long [s] it was open")
-      .value("task_ended", TaskEvent::task_ended, "index: Outcome; value: [s] since the task began")
-      .finalize();
-  py::native_enum<StepStatus>(m, "StepStatus", "enum.Enum", "How far a step is.")
-      .value("waiting", StepStatus::waiting)
-      .value("active", StepStatus::active)
-      .value("done", StepStatus::done)
-      .finalize();
-}
 
 void bind_place(py::module_& m) {
   py::class_<Band> band(m, "Band", "From least to most, both included.");
@@ -93,59 +27,67 @@ void bind_place(py::module_& m) {
   def_repr(band, {"least", "most"});
 
   py::class_<TaskPlace> place(m, "TaskPlace",
-                              "Where on a tissue a step or a limit is: of the tissue at rest, "
-                              "which moves with it.");
+                              "Where a step or a limit is: of a tissue at rest, which moves "
+                              "with it, an object of the scene, or a space in it.");
   place
       .def(py::init([](PlaceKind kind, int body, const std::vector<int>& vertices,
                        const Vec3Array& points, double radius) {
-             return TaskPlace{kind, body, vertices, points, radius, {}, {}};
+             return TaskPlace{kind, body, vertices, points, radius, {}, {}, {}};
            }),
            py::kw_only(), "kind"_a = PlaceKind::ball, "body"_a = 0,
            "vertices"_a = std::vector<int>(), "points"_a = Vec3Array(), "radius"_a = 0.0)
       .def_readwrite("kind", &TaskPlace::kind, "What it is.")
-      .def_readwrite("body", &TaskPlace::body, "Of the scene.")
+      .def_readwrite("body", &TaskPlace::body, "Of the scene; of an object: of Scene.rigid.")
       .def_readwrite("vertices", &TaskPlace::vertices, "Of a region: of the body's surface.")
       .def_readwrite("points", &TaskPlace::points,
-                     "[m] shape (k, 3) when set: of a path two or more, of a ball its centre.")
-      .def_readwrite("radius", &TaskPlace::radius,
-                     "[m] of a ball; of a path, how far beside it still counts as on it.")
+                     "[m] shape (k, 3) when set: of a path two or more, of a ball or a space its "
+                     "centre.")
+      .def_readwrite(
+          "radius", &TaskPlace::radius,
+          "[m] of a ball or a space; of a path, how far beside it still counts as on it.")
       .def_readonly("members", &TaskPlace::members,
                     "Of a region: per vertex of the surface 1 or 0; filled in by build_task.")
       .def_readonly("arc_length", &TaskPlace::arc_length,
-                    "[m] of a path: per point, from its beginning; filled in by build_task.");
+                    "[m] of a path: per point, from its beginning; filled in by build_task.")
+      .def_readonly("seen", &TaskPlace::seen,
+                    "Of a region or a ball: vertices of the surface by which a camera sees it; "
+                    "filled in by build_task.");
   def_value(place, &TaskPlace::kind, &TaskPlace::body, &TaskPlace::vertices, &TaskPlace::points,
-            &TaskPlace::radius, &TaskPlace::members, &TaskPlace::arc_length);
+            &TaskPlace::radius, &TaskPlace::members, &TaskPlace::arc_length, &TaskPlace::seen);
   def_repr(place, {"kind", "body", "radius"});
 }
 
 void bind_step(py::module_& m) {
   py::class_<TaskStep> step(m, "TaskStep", "Something that a trainee is asked to do.");
-  step.def(py::init([](TaskVerb verb, int instrument, int place, const Band& force,
+  step.def(py::init([](TaskVerb verb, int instrument, int place, int space, const Band& force,
                        const Band& depth, const Band& distance, double duration, double share,
                        double time_limit, const std::vector<int>& after) {
-             return TaskStep{verb,     instrument, place, force,      depth,
+             return TaskStep{verb,     instrument, place, space,      force, depth,
                              distance, duration,   share, time_limit, after};
            }),
            py::kw_only(), "verb"_a = TaskVerb::touch, "instrument"_a = 0, "place"_a = -1,
-           "force"_a = Band(), "depth"_a = Band(), "distance"_a = Band(), "duration"_a = 0.0,
-           "share"_a = 1.0, "time_limit"_a = 0.0, "after"_a = std::vector<int>())
+           "space"_a = -1, "force"_a = Band(), "depth"_a = Band(), "distance"_a = Band(),
+           "duration"_a = 0.0, "share"_a = 1.0, "time_limit"_a = 0.0,
+           "after"_a = std::vector<int>())
       .def_readwrite("verb", &TaskStep::verb, "What it asks for.")
       .def_readwrite("instrument", &TaskStep::instrument, "Of the scene.")
       .def_readwrite("place", &TaskStep::place,
                      "Of the task; -1 for none, which only release may have.")
+      .def_readwrite("space", &TaskStep::space,
+                     "Of the task: that remove is from, and carry into; else -1.")
       .def_readwrite("force", &TaskStep::force, "[N] size of what the hand feels.")
       .def_readwrite("depth", &TaskStep::depth, "[m] of the tip below the surface at rest.")
       .def_readwrite("distance", &TaskStep::distance,
-                     "[m] of what is held from where it is at rest.")
+                     "[m] of what is held from where it is at rest; to look, of the lens.")
       .def_readwrite("duration", &TaskStep::duration,
                      "[s] for which it must be so; gaps of up to 0.1 s are left out.")
       .def_readwrite("share", &TaskStep::share, "[-] of a path, 0 to 1.")
       .def_readwrite("time_limit", &TaskStep::time_limit,
                      "[s] since it began; once longer is an error. 0 for none.")
       .def_readwrite("after", &TaskStep::after, "Steps that must be done before it begins.");
-  def_value(step, &TaskStep::verb, &TaskStep::instrument, &TaskStep::place, &TaskStep::force,
-            &TaskStep::depth, &TaskStep::distance, &TaskStep::duration, &TaskStep::share,
-            &TaskStep::time_limit, &TaskStep::after);
+  def_value(step, &TaskStep::verb, &TaskStep::instrument, &TaskStep::place, &TaskStep::space,
+            &TaskStep::force, &TaskStep::depth, &TaskStep::distance, &TaskStep::duration,
+            &TaskStep::share, &TaskStep::time_limit, &TaskStep::after);
   def_repr(step, {"verb", "instrument", "place", "duration"});
 }
 
@@ -189,14 +131,14 @@ void bind_surface_at_rest(py::module_& m) {
 
 void bind_task_type(py::module_& m) {
   py::class_<Task> task(m, "Task", "All that judge() knows of a task, and never changes.");
-  task.def(
-          py::init([](const std::vector<TaskPlace>& places, const std::vector<TaskStep>& steps,
-                      const std::vector<TaskLimit>& limits, double time_limit, int errors_at_most) {
-            return Task{places, steps, limits, time_limit, errors_at_most, {}, {}};
-          }),
-          py::kw_only(), "places"_a = py::tuple(), "steps"_a = py::tuple(),
-          "limits"_a = py::tuple(), "time_limit"_a = 0.0, "errors_at_most"_a = -1,
-          "Copies what it is given; build_task checks it.")
+  task.def(py::init([](const std::vector<TaskPlace>& places, const std::vector<TaskStep>& steps,
+                       const std::vector<TaskLimit>& limits, double time_limit, int errors_at_most,
+                       const std::vector<TaskCamera>& cameras) {
+             return Task{places, steps, limits, time_limit, errors_at_most, cameras, {}, {}, {}};
+           }),
+           py::kw_only(), "places"_a = py::tuple(), "steps"_a = py::tuple(),
+           "limits"_a = py::tuple(), "time_limit"_a = 0.0, "errors_at_most"_a = -1,
+           "cameras"_a = py::tuple(), "Copies what it is given; build_task checks it.")
       .def_readwrite("time_limit", &Task::time_limit, "[s] of ticks, positive.")
       .def_readwrite("errors_at_most", &Task::errors_at_most,
                      "With more the task has failed; -1 for any number.")
@@ -213,10 +155,18 @@ void bind_task_type(py::module_& m) {
           "limits", [](const Task& self) { return py::tuple(py::cast(self.limits)); },
           "A TaskLimit each, a tuple of copies.")
       .def_property_readonly(
+          "cameras", [](const Task& self) { return py::tuple(py::cast(self.cameras)); },
+          "A TaskCamera each, a tuple of copies.")
+      .def_property_readonly(
+          "objects", [](const Task& self) { return py::tuple(py::cast(self.objects)); },
+          "A TaskObject each, scenery before rigid bodies, a tuple of copies; filled in by "
+          "build_task.")
+      .def_property_readonly(
           "surfaces", [](const Task& self) { return py::tuple(py::cast(self.surfaces)); },
           "A TaskSurface for each body, a tuple of copies; filled in by build_task.");
   def_value(task, &Task::places, &Task::steps, &Task::limits, &Task::time_limit,
-            &Task::errors_at_most, &Task::surfaces, &Task::tool_radii);
+            &Task::errors_at_most, &Task::cameras, &Task::surfaces, &Task::tool_radii,
+            &Task::objects);
   def_summary(task, [](const Task& self) {
     return write_text(self.steps.size(), " steps, ", self.limits.size(), " limits, ",
                       self.time_limit, " s");
@@ -230,6 +180,9 @@ void bind_task_type(py::module_& m) {
   m.def(
       "is_kind", [](const Event& event, TaskEvent kind) { return is_kind(event, kind); }, "event"_a,
       "kind"_a, "Whether its kind is that.");
+  m.def("watches_sight", &watches_sight, "task"_a,
+        "Whether its verdict depends on where all of a tissue is, so that World.follows_all must "
+        "be on.");
   m.def("build_task", &build_task, "scene"_a, "task"_a,
         "A task, checked once, with what is derived from it and the scene. Raises ValueError "
         "naming the field, what it got and what was expected.");
@@ -277,10 +230,16 @@ void bind_states(py::module_& m) {
   def_repr(state, {"outcome", "time", "errors", "warnings"});
 }
 
+std::size_t count_rigid(const Task& task) {
+  const auto is_rigid = [](const TaskObject& object) { return object.rigid >= 0; };
+  return static_cast<std::size_t>(std::ranges::count_if(task.objects, is_rigid));
+}
+
 void require_task(const Task& task, const World& world, std::size_t samples, std::size_t commands,
                   const Progress& progress) {
   const std::size_t instruments = world.instruments.size();
-  if (task.tool_radii.size() != instruments || task.surfaces.size() != world.bodies.size()) {
+  if (task.tool_radii.size() != instruments || task.surfaces.size() != world.bodies.size() ||
+      count_rigid(task) != world.rigid.size()) {
     refuse("task", "one of another scene", "one that build_task made for that of the world");
   }
   for (std::size_t b = 0; b < task.surfaces.size(); ++b) {
@@ -331,6 +290,7 @@ void bind_progress(py::module_& m) {
 
 void require_fit(const Task& task, const Scene& scene) {
   bool fits = task.tool_radii.size() == scene.instruments.size() &&
+              count_rigid(task) == scene.rigid.size() &&
               task.surfaces.size() == scene.bodies.size();
   for (std::size_t b = 0; fits && b < task.surfaces.size(); ++b) {
     fits = task.surfaces[b].triangles == scene.bodies[b].tissue.triangles;
@@ -339,11 +299,12 @@ void require_fit(const Task& task, const Scene& scene) {
 }
 
 void bind_task(py::module_& m) {
-  bind_kinds(m);
+  bind_task_kinds(m);
   bind_place(m);
   bind_step(m);
   bind_limit(m);
   bind_surface_at_rest(m);
+  bind_task_objects(m);
   bind_task_type(m);
   bind_states(m);
   bind_progress(m);

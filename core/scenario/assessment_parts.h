@@ -68,9 +68,19 @@ class Parameters {
 struct Names {
   std::map<std::string, int, std::less<>> bodies, instruments, places, steps;
   std::map<std::string, int, std::less<>> inclusions;  ///< places that have one, and their bodies
+  std::map<std::string, int, std::less<>> objects;     ///< of Scene::rigid
   std::set<std::string, std::less<>> graspers;         ///< tools that can hold
+  std::set<std::string, std::less<>> laparoscopes;     ///< tools that see
   std::set<std::string, std::less<>> texts;            ///< keys in English
 };
+
+/// What refusals of an assessment call it.
+inline constexpr const char* kWhere = "manifest.json: content.assessment";
+
+/// Which organ is which body, which tool which instrument and which object which rigid body;
+/// without a number they are the only one. `drawn` gets the cameras.
+void read_bodies_and_instruments(Fields& fields, const Scene& scene, const std::string& file,
+                                 Names& names, DrawnTask& drawn);
 
 /// Reads places, steps and limits into a task; `drawn` gets their ids.
 void read_places(Fields& fields, const Arrays& arrays, const std::string& file,

@@ -44,13 +44,14 @@ void read_path(Fields& fields, Parameters& parameters, TaskPlace& place) {
   place.radius = parameters.number_or(fields, "within_m", kPathWidth);
 }
 
-void read_ball(Fields& fields, Parameters& parameters, TaskPlace& place) {
-  const Json& list = fields.any("ball");
+/// Of a ball of an organ, or of a space of the scene.
+void read_ball(Fields& fields, const char* name, Parameters& parameters, TaskPlace& place) {
+  const Json& list = fields.any(name);
   if (!list.is_array() || list.size() != 4) {
-    fields.refuse("ball", describe(list), "[x, y, z, radius]");
+    fields.refuse(name, describe(list), "[x, y, z, radius]");
   }
-  place.points = {read_point(fields, "ball", list, parameters)};
-  place.radius = parameters.number(fields, "ball", list[3]);
+  place.points = {read_point(fields, name, list, parameters)};
+  place.radius = parameters.number(fields, name, list[3]);
 }
 
 /// A ball of the organ that is so many times as stiff where it is drawn; the tables of that are
@@ -68,8 +69,26 @@ void check_inclusion(Fields fields, Parameters& parameters) {
   fields.finish();
 }
 
+/// A place that is of no organ.
+TaskPlace read_own_place(Fields fields, Parameters& parameters, const Names& names) {
+  TaskPlace place;
+  if (fields.has("object")) {
+    place.kind = PlaceKind::object;
+    const std::string object = fields.text("object", kMostIdBytes);
+    place.body = find_row(fields, "object", object, names.objects, "an object of the scenario");
+  } else {
+    place.kind = PlaceKind::space;
+    read_ball(fields, "space", parameters, place);
+  }
+  fields.finish();
+  return place;
+}
+
 TaskPlace read_place(const std::string& id, Fields fields, const Arrays& arrays,
                      const std::string& file, Parameters& parameters, Names& names) {
+  if (fields.has("object") || fields.has("space")) {
+    return read_own_place(std::move(fields), parameters, names);
+  }
   TaskPlace place;
   std::string organ;
   if (fields.has("region")) {
@@ -78,11 +97,14 @@ TaskPlace read_place(const std::string& id, Fields fields, const Arrays& arrays,
     place.kind = PlaceKind::region;
     place.vertices = read_vertices(arrays, file, id);
   } else {
+    if (!fields.has("organ")) {
+      fields.refuse("region", "no place", "region, path, ball, object or space");
+    }
     organ = fields.text("organ", kMostIdBytes);
     if (fields.has("path")) {
       read_path(fields, parameters, place);
     } else if (fields.has("ball")) {
-      read_ball(fields, parameters, place);
+      read_ball(fields, "ball", parameters, place);
     } else {
       fields.refuse("region", "no place", "region, path or ball");
     }

@@ -8,7 +8,7 @@
 namespace palpate::scenario {
 namespace {
 
-constexpr std::array<std::pair<const char*, TaskVerb>, 8> kVerbs = {{
+constexpr std::array<std::pair<const char*, TaskVerb>, 11> kVerbs = {{
     {"touch", TaskVerb::touch},
     {"hold", TaskVerb::hold},
     {"push", TaskVerb::push},
@@ -17,16 +17,16 @@ constexpr std::array<std::pair<const char*, TaskVerb>, 8> kVerbs = {{
     {"release", TaskVerb::release},
     {"trace", TaskVerb::trace},
     {"find", TaskVerb::find},
+    {"look", TaskVerb::look},
+    {"remove", TaskVerb::remove},
+    {"carry", TaskVerb::carry},
 }};
 /// Verbs and measures of the format that cannot be judged yet, and what they wait for.
-constexpr std::array<std::pair<const char*, const char*>, 5> kVerbsToCome = {{
-    {"look", "scenes have no camera that is judged"},
-    {"carry", "scenes hold no objects"},
-    {"remove", "scenes hold no objects"},
+constexpr std::array<std::pair<const char*, const char*>, 2> kVerbsToCome = {{
     {"inject", "there is no syringe"},
     {"cut", "there are no scissors"},
 }};
-constexpr std::array<std::pair<const char*, TaskMeasure>, 9> kMeasures = {{
+constexpr std::array<std::pair<const char*, TaskMeasure>, 12> kMeasures = {{
     {"force", TaskMeasure::force},
     {"force_rate", TaskMeasure::force_rate},
     {"contact", TaskMeasure::contact},
@@ -36,16 +36,18 @@ constexpr std::array<std::pair<const char*, TaskMeasure>, 9> kMeasures = {{
     {"clearance", TaskMeasure::clearance},
     {"path.off", TaskMeasure::off_path},
     {"strain", TaskMeasure::strain},
+    {"loose", TaskMeasure::loose},
+    {"out_of_view", TaskMeasure::out_of_view},
+    {"object_force", TaskMeasure::object_force},
 }};
-constexpr std::array<std::pair<const char*, const char*>, 8> kMeasuresToCome = {{
+constexpr std::array<std::pair<const char*, const char*>, 7> kMeasuresToCome = {{
     {"path.progress", "a step that traces asks for it"},
     {"volume", "there is no syringe"},
     {"cut.length", "there are no scissors"},
     {"cut.off", "there are no scissors"},
-    {"in_view", "scenes have no camera that is judged"},
-    {"out_of_view", "scenes have no camera that is judged"},
-    {"holds", "scenes hold no objects"},
-    {"inside", "scenes hold no objects"},
+    {"in_view", "a step that looks asks for it"},
+    {"holds", "a step that grasps asks for it"},
+    {"inside", "a step that carries asks for it"},
 }};
 
 /// The row of a table that a member names; what is to come is refused with the reason.
@@ -83,7 +85,7 @@ void read_verb(Fields& fields, Parameters& parameters, DrawnTask& drawn, TaskSte
     step.force = parameters.band(fields, "force_N");
   }
   if (is(TaskVerb::hold, TaskVerb::push)) step.depth = parameters.band(fields, "depth_m");
-  if (is(TaskVerb::pull)) step.distance = parameters.band(fields, "distance_m");
+  if (is(TaskVerb::pull, TaskVerb::look)) step.distance = parameters.band(fields, "distance_m");
   if (is(TaskVerb::trace)) {
     step.share = parameters.number_or(fields, "share", 1.0);
     const TaskPlace& path = drawn.task.places[static_cast<std::size_t>(step.place)];
@@ -123,13 +125,21 @@ TaskStep read_step(Fields fields, std::size_t s, Parameters& parameters, const N
   step.verb = read_row(fields, "do", kVerbs, kVerbsToCome);
   std::string tool;
   step.instrument = read_tool(fields, names, tool);
-  const bool holds =
-      step.verb == TaskVerb::grasp || step.verb == TaskVerb::pull || step.verb == TaskVerb::release;
+  const bool moves = step.verb == TaskVerb::carry || step.verb == TaskVerb::remove;
+  const bool holds = moves || step.verb == TaskVerb::grasp || step.verb == TaskVerb::pull ||
+                     step.verb == TaskVerb::release;
   if (holds && !names.graspers.contains(tool)) {
     fields.refuse("do", "a step for which the tool must hold", "a tool of the kind grasper");
   }
   if (fields.has("at") || step.verb != TaskVerb::release) {
     step.place = read_at(fields, "at", parameters, names);
+  }
+  if (step.verb == TaskVerb::look && !names.laparoscopes.contains(tool)) {
+    fields.refuse("do", "a step for which the tool must see", "a tool of the kind laparoscope");
+  }
+  if (moves) {
+    const char* which = step.verb == TaskVerb::carry ? "to" : "from";
+    step.space = read_at(fields, which, parameters, names);
   }
   if (step.verb == TaskVerb::trace &&
       drawn.task.places[static_cast<std::size_t>(step.place)].kind != PlaceKind::path) {
@@ -156,7 +166,7 @@ TaskLimit read_limit(Fields fields, Parameters& parameters, const Names& names) 
   std::string tool;
   limit.instrument = read_tool(when, names, tool);
   if (when.has("place")) limit.place = read_at(when, "place", parameters, names);
-  if (limit.measure != TaskMeasure::contact) {
+  if (!is_yes_or_no(limit.measure)) {
     limit.above = !when.has("below");
     limit.bound = parameters.number(when, limit.above ? "above" : "below");
   }

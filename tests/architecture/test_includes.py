@@ -42,7 +42,7 @@ ROOMS = {
         "collision",
         "device",
     ),
-    "task": ("base", "mesh", "model", "contact", "device", "tick"),
+    "task": ("base", "mesh", "model", "tree", "contact", "device", "tick"),
     "multirate": (
         "base",
         "model",

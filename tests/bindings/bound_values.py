@@ -56,6 +56,11 @@ def small_task() -> palpate.Task:
     return palpate.build_task(organ_scene(1), task)
 
 
+def stone_of_task() -> palpate.TaskObject:
+    task = palpate.Task(steps=[palpate.TaskStep(verb=palpate.TaskVerb.release)], time_limit=60.0)
+    return palpate.build_task(make_stone_scene(), task).objects[1]
+
+
 def held_solid() -> palpate.TissueModel:
     soft = palpate.Material(young_modulus=5e3, poisson_ratio=0.4)
     return palpate.build_linear_solid(SOLID, soft, palpate.SolidOptions(fixed=[0, 1, 2]))
@@ -162,6 +167,8 @@ MADE: dict[str, Callable[[], object]] = {
     "TaskPlace": lambda: palpate.TaskPlace(points=[(1, 2, 3)], radius=0.01),
     "TaskStep": lambda: palpate.TaskStep(place=2, force=palpate.Band(0.1, 0.4), after=[0, 1]),
     "TaskLimit": lambda: palpate.TaskLimit(place=1, bound=1.5, during=[0]),
+    "TaskCamera": lambda: palpate.TaskCamera(instrument=1, at=(0, 0, 0.01), field_of_view=1.0),
+    "TaskObject": stone_of_task,
     "TaskSurface": lambda: small_task().surfaces[0],
     "Task": small_task,
     "StepState": lambda: palpate.Progress(small_task()).state.steps[0],

@@ -16,12 +16,19 @@ from palpate.assessment.sentences import say_limit, say_step
 
 Json = dict[str, Any]
 
-VERBS = ("touch", "hold", "push", "pull", "grasp", "release", "trace", "find")
-HOLDING = ("grasp", "pull", "release")
+VERBS = (
+    *("touch", "hold", "push", "pull", "grasp", "release", "trace", "find"),
+    *("look", "remove", "carry"),
+)
+HOLDING = ("grasp", "pull", "release", "remove", "carry")
 """Verbs whose tool must be a grasper."""
+SEEING = ("look",)
+"""Verbs whose tool must be a laparoscope."""
+SPACES: Mapping[str, str] = {"remove": "from", "carry": "to"}
+"""Verbs that move an object, and their member for the space that is out of or into."""
 MEASURES = (
     *("force", "force_rate", "contact", "depth", "distance", "speed", "clearance", "path.off"),
-    "strain",
+    *("strain", "loose", "out_of_view", "object_force"),
 )
 CONSEQUENCES = ("warn", "error", "end")
 USUAL: Mapping[str, Json] = {
@@ -33,11 +40,15 @@ USUAL: Mapping[str, Json] = {
     "release": {},
     "trace": {"force_N": [0.05, 0.6], "share": 0.95},
     "find": {"force_N": [0.1, None]},
+    "look": {"for_s": 1.0},
+    "remove": {},
+    "carry": {},
 }
 """What a new step of a verb asks for."""
 LIMIT_BOUNDS: Mapping[str, float] = {
     "force": 1.5, "force_rate": 20.0, "depth": 0.015, "distance": 0.02, "speed": 0.3,
     "clearance": 0.005, "path.off": 0.008, "strain": 0.4,
+    "object_force": 1.0,
 }  # fmt: skip
 TIME_LIMIT = 60.0
 LANGUAGES = ("en", "tr")
@@ -66,12 +77,14 @@ def make_ids(texts: Iterable[str]) -> list[str]:
 
 
 def new_assessment(
-    organ: str, titles: Mapping[str, str], identity: str = "", bodies: Sequence[str] = ()
-) -> Json:
+    organ: str, titles: Mapping[str, str], identity: str = "", bodies: Sequence[str] = (),
+    stones: Sequence[str] = (),
+) -> Json:  # fmt: skip
     """Of one organ, without steps yet; `titles` by code of the language, with English. Of a scene
-    of several organs `bodies` has the id of each."""
+    of several organs `bodies` has the id of each, and `stones` that of each stone."""
     if not titles.get("en"):
         raise AuthorError("title: got none in English, expected one")
+    objects = {name: {"rigid": number} for number, name in enumerate(stones)}
     return {
         "palpate_scenario": 1,
         "id": identity or make_id(titles["en"]),
@@ -79,6 +92,7 @@ def new_assessment(
         "title": "title",
         "organs": {name: {"body": number} for number, name in enumerate(bodies)}
         or {make_id(organ): {}},
+        **({"objects": objects} if objects else {}),
         "tools": {"tip": {"kind": "grasper"}},
         "places": {},
         "steps": [],
@@ -115,6 +129,7 @@ def remove_unused_places(assessment: Json) -> Json:
     """Without the places that no step, limit or parameter names."""
     made = copy.deepcopy(assessment)
     used = {step.get("at") for step in made["steps"]}
+    used |= {step.get(member) for step in made["steps"] for member in SPACES.values()}
     used |= {limit["when"].get("place") for limit in made.get("limits", [])}
     used |= {made.get("inclusion")}
     for parameter in made.get("parameters", {}).values():
@@ -143,6 +158,8 @@ def add_step(
     elif verb != "release":
         raise AuthorError(f"at: got none, expected a place to {verb}")
     step |= {**USUAL[verb], **(values or {}), **choose_tool(made, verb)}
+    if verb in SPACES and SPACES[verb] not in step:
+        raise AuthorError(f"{SPACES[verb]}: got none, expected a space to {verb} it {SPACES[verb]}")
     step["say"] = make_id(f"step-{name}", made["texts"]["en"])
     made["steps"].append(step)
     return write_texts(made, step["say"], say_step, step), name
@@ -154,8 +171,9 @@ def choose_tool(assessment: Json, verb: str = "") -> Json:
     tools = assessment.get("tools", {})
     if len(tools) < 2:
         return {}
-    fit = [name for name, row in tools.items()
-           if verb not in HOLDING or row.get("kind") == "grasper"] or list(tools)  # fmt: skip
+    kind = "grasper" if verb in HOLDING else "laparoscope" if verb in SEEING else ""
+    fit = [name for name, row in tools.items() if not kind or row.get("kind") == kind]
+    fit = fit or list(tools)
     last = next((step.get("tool") for step in reversed(assessment["steps"])), None)
     return {"tool": last if last in fit else fit[0]}
 

@@ -23,6 +23,8 @@ def check_reach(scene: palpate.Scene, drawn: scenario.DrawnTask, level: str) -> 
         if step.place < 0:
             continue
         place = drawn.task.places[step.place]
+        if place.kind in (palpate.PlaceKind.object, palpate.PlaceKind.space):
+            continue  # is of no organ, and goes where it is brought
         surface = drawn.task.surfaces[place.body]
         points = find_points(place, surface)
         radius = scene.instruments[step.instrument].tool.radius

@@ -54,9 +54,18 @@ def find_regions(file: object, published: scenario.Scenario) -> dict[str, NDArra
 def list_bodies(published: scenario.Scenario) -> list[str]:
     """The ids of the bodies of a scene that `palpate scene publish` wrote, as its regions have
     them; of all else none."""
+    return list_placed(published, "bodies")
+
+
+def list_stones(published: scenario.Scenario) -> list[str]:
+    """Likewise of its stones, which are objects of an assessment."""
+    return list_placed(published, "stones")
+
+
+def list_placed(published: scenario.Scenario, kind: str) -> list[str]:
     try:
-        bodies = json.loads(published.authored)["content"]["layout"]["bodies"]
-        return make_ids(str(body["name"]) for body in bodies)
+        placed = json.loads(published.authored)["content"]["layout"][kind]
+        return make_ids(str(each["name"]) for each in placed)
     except (ValueError, LookupError, TypeError, RecursionError):
         return []
 

@@ -13,11 +13,15 @@ STEPS = {
         "touch": "Touch: {at}", "hold": "Press and hold: {at}", "push": "Push in: {at}",
         "pull": "Take hold and pull out: {at}", "grasp": "Grasp: {at}", "release": "Let it go",
         "trace": "Follow the line: {at}", "find": "Find, and click while pressing: {at}",
+        "look": "Bring it into the middle of the picture: {at}",
+        "remove": "Take it out: {at}", "carry": "Bring it there: {at}",
     },
     "tr": {
         "touch": "Dokunun: {at}", "hold": "Bastırıp tutun: {at}", "push": "İçeri itin: {at}",
         "pull": "Tutup dışarı çekin: {at}", "grasp": "Kavrayın: {at}", "release": "Bırakın",
         "trace": "Çizgiyi izleyin: {at}", "find": "Bulun ve bastırırken tıklayın: {at}",
+        "look": "Görüntünün ortasına getirin: {at}",
+        "remove": "Dışarı çıkarın: {at}", "carry": "Yerine götürün: {at}",
     },
 }  # fmt: skip
 LIMITS = {
@@ -25,13 +29,15 @@ LIMITS = {
         "force": "Too hard", "force_rate": "Too sudden", "contact": "Keep off: {place}",
         "depth": "Too deep", "distance": "Pulled too far", "speed": "Too fast",
         "clearance": "Too near: {place}", "path.off": "Off the line",
-        "strain": "Stretched too far",
+        "strain": "Stretched too far", "loose": "Dropped: {place}",
+        "out_of_view": "The tip is out of view", "object_force": "Pressed too hard: {place}",
     },
     "tr": {
         "force": "Çok sert", "force_rate": "Çok ani", "contact": "Değmeyin: {place}",
         "depth": "Çok derin", "distance": "Fazla çekildi", "speed": "Çok hızlı",
         "clearance": "Çok yakın: {place}", "path.off": "Çizgiden çıktınız",
-        "strain": "Fazla gerildi",
+        "strain": "Fazla gerildi", "loose": "Düşürüldü: {place}",
+        "out_of_view": "Uç görüş dışında", "object_force": "Çok sert bastırıldı: {place}",
     },
 }  # fmt: skip
 BANDS = (("force_N", "N", 1.0), ("depth_m", "mm", 1e3), ("distance_m", "mm", 1e3))

@@ -12,7 +12,12 @@ from typing import Any
 from palpate import scenario
 from palpate.assessment import author, author_tools
 from palpate.assessment.author import AuthorError, Json
-from palpate.assessment.publish import find_regions, list_bodies, read_assessment
+from palpate.assessment.publish import (
+    find_regions,
+    list_bodies,
+    list_stones,
+    read_assessment,
+)
 from palpate.cli import scenario_tools, scenario_values
 from palpate.cli.scenario_places import add_at, find_place
 from palpate.command.output import add_output
@@ -89,6 +94,10 @@ def add_step(parser: argparse.ArgumentParser) -> None:
         "--within", dest="within_s", type=or_none(quantity("s")), help="longer is an error"
     )
     parser.add_argument("--share", type=float, help="[-] of a path")
+    parser.add_argument(
+        "--space", metavar="PLACE",
+        help="of remove and carry: a space of the assessment, or space:X,Y,Z,RADIUS [m]",
+    )  # fmt: skip
     add_say(parser)
 
 
@@ -125,7 +134,8 @@ def run_new(call: argparse.Namespace) -> Report:
     if len(published.scene.instruments) != 1 or len(published.scene.bodies) != (len(bodies) or 1):
         raise Refusal(call.organ, "scene", "several bodies or tools", "one of each")
     titles = {"en": call.title, "tr": call.title_tr}
-    made = author.new_assessment(call.organ.stem, titles, call.id, bodies)
+    stones = list_stones(published)
+    made = author.new_assessment(call.organ.stem, titles, call.id, bodies, stones)
     if call.time is not None:
         made["finish"]["time_limit_s"] = call.time
     return write(call.out, made, {"regions": regions})
@@ -183,6 +193,12 @@ def change_step(made: Json, call: argparse.Namespace) -> Json:
     names = ("force_N", "depth_m", "distance_m", "for_s", "within_s", "share")
     values = {name: getattr(call, name) for name in names if getattr(call, name) is not None}
     values = {name: None if value == NONE else value for name, value in values.items()}
+    made, space = take_place(made, call.space)
+    if space:
+        verb = call.do or call.add or made["steps"][author.find(made["steps"], call.change)]["do"]
+        if verb not in author.SPACES:
+            raise AuthorError(f"--space: got one to {verb}, expected none")
+        values[author.SPACES[verb]] = space
     if call.add:
         made, identity = author.add_step(made, call.add, at, values, call.id)
     else:
@@ -233,10 +249,11 @@ def take_place(made: Json, told: str | None) -> tuple[Json, str | None]:
         known = ", ".join(made.get("places", {})) or "none yet"
         if told not in made.get("places", {}) and not told.startswith("$"):
             raise AuthorError(
-                f"--at: got {told!r}, expected region:, ball:, path: or one of {known}"
+                f"--at: got {told!r}, expected region:, ball:, path:, object:, space: "
+                f"or one of {known}"
             )
         return made, told
-    name = {"region": rest, "ball": "spot", "path": "line"}.get(kind, kind)
+    name = {"region": rest, "ball": "spot", "path": "line", "object": rest}.get(kind, kind)
     return author.add_place(made, name, find_place(made, told))
 
 

@@ -13,7 +13,8 @@ def add_at(parser: argparse.ArgumentParser) -> None:
         "--at",
         metavar="PLACE",
         help="a place of the assessment, region:NAME of the organ (of several region:ORGAN/NAME), "
-        "ball:X,Y,Z,RADIUS or path:X,Y,Z:X,Y,Z..., in metres",
+        "ball:X,Y,Z,RADIUS or path:X,Y,Z:X,Y,Z..., in metres; of a scene with stones "
+        "object:NAME as well, and space:X,Y,Z,RADIUS of the scene itself",
     )
 
 
@@ -29,7 +30,16 @@ def find_place(made: Json, told: str) -> Json:
     if kind == "path":
         points = [read_numbers(point, 3) for point in rest.split(":")]
         return {"organ": organ, "path": points}
-    raise AuthorError(f"--at: got {told!r}, expected region:, ball: or path:")
+    if kind == "object":
+        known = made.get("objects", {})
+        if rest not in known:
+            raise AuthorError(
+                f"--at: got {told!r}, expected object: and one of {', '.join(known) or 'none'}"
+            )
+        return {"object": rest}
+    if kind == "space":
+        return {"space": read_numbers(rest, 4)}
+    raise AuthorError(f"--at: got {told!r}, expected region:, ball:, path:, object: or space:")
 
 
 def read_numbers(text: str, count: int) -> list[float]:

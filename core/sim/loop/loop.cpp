@@ -89,7 +89,7 @@ Loop::Impl::Impl(const Scene& scene_in, std::span<HapticDevice* const> devices,
 }
 
 void Loop::Impl::run() noexcept {
-  world.follows_all = false;
+  world.follows_all = task && watches_sight(*task);
   realtime = enter_realtime(options.realtime, options.cpu);
   running.store(true, std::memory_order_release);
   ready.store(true, std::memory_order_release);

@@ -6,7 +6,7 @@
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
-#include "palpate/sim/task/task.h"
+#include "palpate/sim/task/private/build_places.h"
 
 namespace palpate {
 namespace {
@@ -14,23 +14,9 @@ namespace {
 /// [s] No attempt lasts longer, nor anything in it: 2 h, which a record holds.
 constexpr double kLongest = 7200.0;
 
-std::string name_row(const char* table, std::size_t row, const char* field) {
-  return write_text("task: ", table, "[", row, "].", field);
-}
-
 void check_count(const char* table, std::size_t count, int least, int most) {
   if (count >= static_cast<std::size_t>(least) && count <= static_cast<std::size_t>(most)) return;
   refuse(write_text("task: ", table), std::to_string(count), write_text(least, " to ", most));
-}
-
-void check_index(const std::string& where, int index, int least, std::size_t count) {
-  if (index >= least && index < static_cast<int>(count)) return;
-  refuse(where, std::to_string(index), write_text(least, " to ", static_cast<long>(count) - 1));
-}
-
-void check_number(const std::string& where, double value, double least, double most) {
-  if (value >= least && value <= most) return;  // refuses what is not a number too
-  refuse(where, write_text(value), write_text(least, " to ", most));
 }
 
 void check_band(const std::string& where, const Band& band) {
@@ -47,49 +33,52 @@ TaskSurface build_surface(const SoftBody& body) {
   return surface;
 }
 
-void build_region(std::size_t p, const TaskSurface& surface, TaskPlace& place) {
-  const std::string where = name_row("places", p, "vertices");
-  if (place.vertices.empty()) refuse(where, "none", "at least one vertex of the surface");
-  place.members.assign(surface.vertices.size(), 0);
-  for (const int v : place.vertices) {
-    check_index(where, v, 0, surface.vertices.size());
-    place.members[static_cast<std::size_t>(v)] = 1;
-  }
-}
-
-void build_path(std::size_t p, TaskPlace& place) {
-  place.arc_length.assign(1, 0.0);
-  for (std::size_t i = 1; i < place.points.size(); ++i) {
-    const double step = (place.points[i] - place.points[i - 1]).norm();
-    if (!(step > 0.0)) {
-      refuse(name_row("places", p, "points"), write_text("twice the same, in row ", i),
-             "each elsewhere than the one before");
-    }
-    place.arc_length.push_back(place.arc_length.back() + step);
-  }
-}
-
-void build_place(const Task& task, std::size_t p, TaskPlace& place) {
-  check_index(name_row("places", p, "body"), place.body, 0, task.surfaces.size());
-  place.members.clear();
-  place.arc_length.clear();
-  const auto& surface = task.surfaces[static_cast<std::size_t>(place.body)];
-  if (place.kind == PlaceKind::region) return build_region(p, surface, place);
-
-  const std::string where = name_row("places", p, "points");
-  const bool is_path = place.kind == PlaceKind::path;
-  const std::size_t count = place.points.size();
-  if (is_path ? count < 2 || count > 10000 : count != 1) {
-    refuse(where, std::to_string(count), is_path ? "2 to 10000 of a path" : "1 of a ball");
-  }
-  for (const Vec3& point : place.points) {
-    if (!point.allFinite()) refuse(where, "a number that is not finite", "finite ones");
-  }
-  check_number(name_row("places", p, "radius"), place.radius, 1e-5, 1.0);
-  if (is_path) build_path(p, place);
-}
-
 bool needs_place(TaskVerb verb) { return verb != TaskVerb::release; }
+
+bool needs_space(TaskVerb verb) { return verb == TaskVerb::remove || verb == TaskVerb::carry; }
+
+/// What can be done at an object or a space, and what only there.
+void check_step_place(const Task& task, std::size_t s) {
+  const TaskStep& step = task.steps[s];
+  const std::string where = name_row("steps", s, "place");
+  check_index(name_row("steps", s, "space"), step.space, needs_space(step.verb) ? 0 : -1,
+              needs_space(step.verb) ? task.places.size() : 0);
+  if (needs_space(step.verb) && place_of(task, step.space).kind != PlaceKind::space) {
+    refuse(name_row("steps", s, "space"), "another place", "a space");
+  }
+  if (step.place < 0) return;
+  const PlaceKind kind = place_of(task, step.place).kind;
+  if (needs_space(step.verb) && kind != PlaceKind::object) {
+    refuse(where, "no object", "an object, which is what is moved");
+  }
+  const bool may_hold = step.verb == TaskVerb::grasp || step.verb == TaskVerb::release;
+  if (kind == PlaceKind::object && !may_hold && !needs_space(step.verb) &&
+      step.verb != TaskVerb::look) {
+    refuse(where, "an object", "a place on a tissue, or to look, grasp, release, remove or carry");
+  }
+  if (kind == PlaceKind::space && step.verb != TaskVerb::look) {
+    refuse(where, "a space", "a place on a tissue, or to look");
+  }
+  if (kind == PlaceKind::path && step.verb == TaskVerb::look) {
+    refuse(where, "a path", "a region, a ball, an object or a space");
+  }
+  if (step.verb == TaskVerb::trace && kind != PlaceKind::path) {
+    refuse(where, "no path", "a path, which is what is traced");
+  }
+  if (step.verb != TaskVerb::look) return;
+  const auto is_its = [&](const TaskCamera& c) { return c.instrument == step.instrument; };
+  if (std::ranges::any_of(task.cameras, is_its)) return;
+  refuse(name_row("steps", s, "instrument"), "one without a camera", "one that sees");
+}
+
+void check_camera(const Scene& scene, std::size_t c, TaskCamera& camera) {
+  constexpr double kNarrowest = 0.05, kWidest = 3.0;
+  check_index(name_row("cameras", c, "instrument"), camera.instrument, 0, scene.instruments.size());
+  check_number(name_row("cameras", c, "field_of_view"), camera.field_of_view, kNarrowest, kWidest);
+  check_number(name_row("cameras", c, "forward"), camera.forward.norm(), 0.99, 1.01);
+  check_number(name_row("cameras", c, "at"), camera.at.norm(), 0.0, 1.0);
+  camera.forward.normalize();
+}
 
 void check_step(const Scene& scene, const Task& task, std::size_t s) {
   const TaskStep& step = task.steps[s];
@@ -105,11 +94,7 @@ void check_step(const Scene& scene, const Task& task, std::size_t s) {
   for (const int other : step.after) {
     check_index(name_row("steps", s, "after"), other, 0, task.steps.size());
   }
-  if (step.verb != TaskVerb::trace) return;
-  const TaskPlace& place = task.places[static_cast<std::size_t>(step.place)];
-  if (place.kind != PlaceKind::path) {
-    refuse(name_row("steps", s, "place"), "no path", "a path, which is what is traced");
-  }
+  check_step_place(task, s);
 }
 
 /// Every step can begin: the order has no circle.
@@ -132,31 +117,56 @@ void check_order(const Task& task) {
          "steps that wait for each other in a circle", "an order in which each can begin");
 }
 
-void check_measure(const Task& task, std::size_t l) {
+void check_measure(const Scene& scene, const Task& task, std::size_t l) {
   const TaskLimit& limit = task.limits[l];
+  const TaskMeasure measure = limit.measure;
   const std::string where = name_row("limits", l, "place");
-  const bool of_contact = limit.measure == TaskMeasure::contact;
-  const bool needs_ball = limit.measure == TaskMeasure::clearance;
-  const bool needs_path = limit.measure == TaskMeasure::off_path;
-  const bool needs = of_contact || needs_ball || needs_path;
-  const bool may =
-      needs || limit.measure == TaskMeasure::force || limit.measure == TaskMeasure::strain;
-  if (limit.place >= 0 && !may) refuse(where, "one", "none, for this is measured of the tool");
-  if (!needs) return;
-  check_index(where, limit.place, 0, task.places.size());
-  const PlaceKind kind = task.places[static_cast<std::size_t>(limit.place)].kind;
-  if (needs_ball && kind != PlaceKind::ball) refuse(where, "another place", "a ball");
-  if (needs_path && kind != PlaceKind::path) refuse(where, "another place", "a path");
-  if (of_contact && !limit.above) {
-    refuse(name_row("limits", l, "above"), "false", "true: contact is what can be wrong");
+  const auto is = [&](auto... some) { return ((measure == some) || ...); };
+  const bool needs_object = is(TaskMeasure::loose, TaskMeasure::object_force);
+  const bool needs =
+      needs_object || is(TaskMeasure::contact, TaskMeasure::clearance, TaskMeasure::off_path);
+  const bool may = is(TaskMeasure::force, TaskMeasure::strain, TaskMeasure::out_of_view);
+  if (limit.place >= 0 && !needs && !may) {
+    refuse(where, "one", "none, for this is measured of the tool");
   }
+  if (is_yes_or_no(measure) && !limit.above) {
+    const char* wrong = is(TaskMeasure::contact) ? "contact"
+                        : is(TaskMeasure::loose) ? "what is loose"
+                                                 : "what is not seen";
+    refuse(name_row("limits", l, "above"), "false",
+           write_text("true: ", wrong, " is what can be wrong"));
+  }
+  if (is(TaskMeasure::out_of_view) && task.cameras.empty()) {
+    refuse(name_row("limits", l, "measure"), "what is out of view", "another: no instrument sees");
+  }
+  const auto tool = static_cast<std::size_t>(limit.instrument);
+  if (is(TaskMeasure::loose) && !scene.instruments[tool].tool.jaws) {
+    refuse(name_row("limits", l, "instrument"), "one without jaws", "a grasper");
+  }
+  if (needs) check_index(where, limit.place, 0, task.places.size());
+  if (limit.place < 0) return;
+  const PlaceKind kind = place_of(task, limit.place).kind;
+  const bool hard = kind == PlaceKind::object, space = kind == PlaceKind::space;
+  if (needs_object && !hard) refuse(where, "another place", "an object");
+  if (is(TaskMeasure::out_of_view) && !space) refuse(where, "another place", "a space or none");
+  if (is(TaskMeasure::clearance) && kind != PlaceKind::ball && !space) {
+    refuse(where, "another place", "a ball or a space");
+  }
+  if (is(TaskMeasure::off_path) && kind != PlaceKind::path) {
+    refuse(where, "another place", "a path");
+  }
+  if (is(TaskMeasure::contact, TaskMeasure::force) && (hard || space)) {
+    refuse(where, hard ? "an object" : "a space", "a place on a tissue");
+  }
+  if (is(TaskMeasure::strain) && space)
+    refuse(where, "a space", "an object or a place on a tissue");
 }
 
 void check_limit(const Scene& scene, const Task& task, std::size_t l) {
   const TaskLimit& limit = task.limits[l];
   check_index(name_row("limits", l, "instrument"), limit.instrument, 0, scene.instruments.size());
   check_index(name_row("limits", l, "place"), limit.place, -1, task.places.size());
-  check_measure(task, l);
+  check_measure(scene, task, l);
   check_number(name_row("limits", l, "bound"), limit.bound, 0.0, 1e6);
   check_number(name_row("limits", l, "duration"), limit.duration, 0.0, kLongest);
   for (const int step : limit.during) {
@@ -170,6 +180,7 @@ Task build_task(const Scene& scene, Task task) {
   check_count("steps", task.steps.size(), 1, kMostSteps);
   check_count("limits", task.limits.size(), 0, kMostLimits);
   check_count("places", task.places.size(), 0, kMostPlaces);
+  check_count("cameras", task.cameras.size(), 0, kMostLoggedInstruments);
   check_number("task: time_limit", task.time_limit, 1e-3, kLongest);
   check_number("task: errors_at_most", task.errors_at_most, -1, 1000000);
   if (scene.exchange_rate > 0.0) {
@@ -181,7 +192,9 @@ Task build_task(const Scene& scene, Task task) {
   check_count("scene.instruments", scene.instruments.size(), 1, kMostLoggedInstruments);
   task.tool_radii.clear();
   for (const Instrument& each : scene.instruments) task.tool_radii.push_back(each.tool.radius);
-  for (std::size_t p = 0; p < task.places.size(); ++p) build_place(task, p, task.places[p]);
+  task.objects = build_objects(scene);
+  for (std::size_t c = 0; c < task.cameras.size(); ++c) check_camera(scene, c, task.cameras[c]);
+  for (std::size_t p = 0; p < task.places.size(); ++p) build_place(scene, task, p);
   for (std::size_t s = 0; s < task.steps.size(); ++s) check_step(scene, task, s);
   for (std::size_t l = 0; l < task.limits.size(); ++l) check_limit(scene, task, l);
   check_order(task);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "palpate/sim/task/private/judgement.h"
+#include "palpate/sim/task/private/objects.h"
 
 namespace palpate {
 namespace {
@@ -36,8 +37,21 @@ double Judgement::measure_limit(const TaskLimit& limit) const noexcept {
       return touches ? find_distance(place(limit.place), now.contact.at_rest) : 0.0;
     case TaskMeasure::strain:
       return find_strain(task_, world_, i, limit.place < 0 ? nullptr : &place(limit.place));
+    case TaskMeasure::loose:
+      return is_object_held(task_, world_, i, place(limit.place).body) ? 0.0 : 1.0;
+    case TaskMeasure::out_of_view:
+      return is_watched_there(limit) && !is_in_view(task_, world_, i) ? 1.0 : 0.0;
+    case TaskMeasure::object_force:
+      return world_.rigid[static_cast<std::size_t>(place(limit.place).body)].tissue_force.norm();
   }
   return 0.0;
+}
+
+/// Everywhere, or while the tip is inside a space.
+bool Judgement::is_watched_there(const TaskLimit& limit) const noexcept {
+  if (limit.place < 0) return true;
+  const auto i = static_cast<std::size_t>(limit.instrument);
+  return find_distance(place(limit.place), world_.instruments[i].tool.position) == 0.0;
 }
 
 void Judgement::judge_limit(std::size_t l) noexcept {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "palpate/sim/task/private/judgement.h"
+#include "palpate/sim/task/private/objects.h"
 
 namespace palpate {
 namespace {
@@ -44,6 +45,13 @@ bool Judgement::is_held(const TaskStep& step, const Measures& measures) const no
                          place(step.place), measures) >= kHalf;
 }
 
+bool Judgement::is_seen(const TaskStep& step) const noexcept {
+  return std::ranges::any_of(task_.cameras, [&](const TaskCamera& camera) noexcept {
+    return camera.instrument == step.instrument &&
+           is_looked_at(task_, world_, camera, place(step.place), step.distance);
+  });
+}
+
 /// Of the verbs that ask for something during a time.
 bool Judgement::is_met(const TaskStep& step, const Measures& measures) const noexcept {
   switch (step.verb) {
@@ -61,6 +69,12 @@ bool Judgement::is_met(const TaskStep& step, const Measures& measures) const noe
       return is_held(step, measures);
     case TaskVerb::release:
       return !is_held(step, measures);
+    case TaskVerb::look:
+      return is_seen(step);
+    case TaskVerb::remove:
+      return is_outside(task_, world_, place(step.place).body, place(step.space));
+    case TaskVerb::carry:
+      return is_inside(world_, place(step.place).body, place(step.space));
     default:
       return false;
   }

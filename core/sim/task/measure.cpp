@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/sim/task/private/objects.h"
+
 namespace palpate {
 namespace {
 
@@ -37,6 +39,12 @@ class Mean {
     of_body_ += weight;
     grounding_.at_rest += weight * weigh(surface.vertices, t, weights);
     grounding_.normal += weight * weigh(surface.normals, t, weights);
+  }
+  /// A point of what is no tissue, which has no outwards of it.
+  void add(const Vec3& at_rest, double weight) noexcept {
+    grounding_.weight += weight;
+    grounding_.at_rest += weight * at_rest;
+    of_body_ += weight;
   }
   void end_body(std::size_t body) noexcept {
     if (of_body_ > most_) {
@@ -103,7 +111,7 @@ void find_hold(const Task& task, const World& world, std::size_t instrument,
   end_hold(now, mean, measures);
 }
 
-/// Where tissue sticks to both jaws, and how far that has been moved.
+/// Where tissue or an object sticks to both jaws, and how far that has been moved.
 void find_pinched(const Task& task, const World& world, std::size_t instrument,
                   Measures& measures) noexcept {
   const ToolState& tool = world.instruments[instrument].tool;
@@ -118,6 +126,17 @@ void find_pinched(const Task& task, const World& world, std::size_t instrument,
       now += anchor.stiffness * compute_point(t, anchor.weights, x);
     }
     mean.end_body(b);
+  }
+  for (std::size_t o = 0; o < task.objects.size(); ++o) {
+    const TaskObject& object = task.objects[o];
+    for (const ToolState::Anchor& anchor : list_anchors(tool)) {
+      if (std::size_t(anchor.body) != world.bodies.size() + o) continue;
+      const Triangle& t = object.tree.triangles()[static_cast<std::size_t>(anchor.triangle)];
+      const Vec3 point = compute_point(t, anchor.weights, object.vertices);
+      mean.add(find_start(object, point), anchor.stiffness);
+      now += anchor.stiffness * find_now(object, world, point);
+    }
+    mean.end_body(world.bodies.size() + o);
   }
   end_hold(now, mean, measures);
 }
@@ -204,6 +223,9 @@ double find_contact_share(const Task& task, const World& world, std::size_t inst
 double find_hold_share(const Task& task, const World& world, std::size_t instrument,
                        const TaskPlace& place, const Measures& measures) noexcept {
   if (!(measures.hold.weight > 0.0)) return 0.0;
+  if (place.kind == PlaceKind::object) {
+    return is_object_held(task, world, instrument, place.body) ? 1.0 : 0.0;
+  }
   if (place.kind != PlaceKind::region) return find_share_near(place, measures.hold);
   const auto body = static_cast<std::size_t>(place.body);
   double stiffness = 0.0;
@@ -222,7 +244,8 @@ double find_hold_share(const Task& task, const World& world, std::size_t instrum
 
 double find_distance(const TaskPlace& place, const Vec3& at_rest) noexcept {
   if (place.kind == PlaceKind::region) return std::numeric_limits<double>::infinity();
-  if (place.kind == PlaceKind::ball) {
+  if (place.kind == PlaceKind::object) return std::numeric_limits<double>::infinity();
+  if (place.kind == PlaceKind::ball || place.kind == PlaceKind::space) {
     return std::max(0.0, (at_rest - place.points[0]).norm() - place.radius);
   }
   return find_on_path(place, at_rest, 0.0, place.arc_length.back()).distance;

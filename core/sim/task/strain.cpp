@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "palpate/sim/task/private/measure.h"
+#include "palpate/sim/task/private/objects.h"
 
 namespace palpate {
 namespace {
@@ -51,6 +52,33 @@ class Largest {
   double strain_ = 0.0;
 };
 
+/// [m] What is pushed this near to an object is pushed by it, or beside it.
+constexpr double kBeside = 2e-3;
+
+/// Of all that is pushed next to an object, whatever pushes: a stone that is pulled through a neck
+/// stretches it, though no tool touches that.
+double find_strain_at_object(const Task& task, const World& world, int rigid) noexcept {
+  const TaskObject& object = find_rigid(task, rigid);
+  const auto is_near = [&](const Vec3& point) noexcept {
+    for (std::size_t s = 0; s < object.radii.size(); ++s) {
+      const Vec3 centre = find_now(object, world, object.sphere_centres[s]);
+      if ((centre - point).norm() <= object.radii[s] + kBeside) return true;
+    }
+    return false;
+  };
+  double strain = 0.0;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    const std::span<const Vec3> x = surface_position(world.bodies[b]);
+    const TaskSurface& surface = task.surfaces[b];
+    for (const Push& push : world.bodies[b].load.pushes()) {
+      const Triangle& t = surface.triangles[static_cast<std::size_t>(push.triangle)];
+      if (!is_near(compute_point(t, push.weights, x))) continue;
+      strain = std::max(strain, find_strain(t, surface.vertices, x));
+    }
+  }
+  return strain;
+}
+
 }  // namespace
 
 double find_strain(const Triangle& t, std::span<const Vec3> at_rest,
@@ -68,6 +96,9 @@ double find_strain(const Triangle& t, std::span<const Vec3> at_rest,
 
 double find_strain(const Task& task, const World& world, std::size_t instrument,
                    const TaskPlace* place) noexcept {
+  if (place && place->kind == PlaceKind::object) {
+    return find_strain_at_object(task, world, place->body);
+  }
   const ToolState& tool = world.instruments[instrument].tool;
   double strain = 0.0;
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {

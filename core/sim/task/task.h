@@ -12,6 +12,7 @@
 #include "palpate/sim/tick/scene.h"
 #include "palpate/sim/tick/tick_log.h"
 #include "palpate/sim/tick/world.h"
+#include "palpate/sim/tree/aabb_tree.h"
 
 /// What a trainee is asked to do in a scene, in numbers, and the judge of it, which is called after
 /// every tick: live, in a replay and in a test it comes to the same verdict at the same tick.
@@ -23,24 +24,30 @@ struct Band {
   double most = std::numeric_limits<double>::infinity();
 };
 
-/// Where on a tissue a step or a limit is. All are of the tissue at rest and move with it: what
+/// Where a step or a limit is. The first three are of a tissue at rest and move with it: what
 /// counts is which point of the tissue is touched, not where that has been pushed to.
 enum class PlaceKind {
   region,  ///< a set of vertices of the surface
   path,    ///< a line over it, followed from its first point to its last
   ball,    ///< all of it within a radius of a point
+  object,  ///< a rigid body, wherever that is
+  space,   ///< a sphere that stands still in the scene's frame
 };
 
 struct TaskPlace {
   PlaceKind kind = PlaceKind::ball;
-  int body = 0;                    ///< of the scene
+  int body = 0;                    ///< of the scene; of an object: of Scene::rigid
   std::vector<int> vertices = {};  ///< of a region: of the body's surface
-  Vec3Array points = {};           ///< [m] of a path two or more, of a ball its centre
-  double radius = 0.0;  ///< [m] of a ball; of a path, how far beside it still counts as on it
+  Vec3Array points = {};           ///< [m] of a path two or more, of a ball or a space its centre
+  /// [m] of a ball or a space; of a path, how far beside it still counts as on it
+  double radius = 0.0;
 
   // filled in by build_task
   std::vector<std::uint8_t> members = {};  ///< of a region: per vertex of the surface 1 or 0
   std::vector<double> arc_length = {};     ///< [m] of a path: per point, from its beginning
+  /// Of a region or a ball: vertices of the surface by which a camera sees it, at most
+  /// kMostSeenPoints
+  std::vector<int> seen = {};
 };
 
 /// What a step asks for. `at` its place means that at least half of the contact force is there, of
@@ -54,18 +61,22 @@ enum class TaskVerb {
   release,  ///< no hold there; anywhere, for no place
   trace,    ///< a share of a path touched in order, with the force within its band
   find,     ///< a click, a button that goes down, while what is touched is there
+  look,     ///< the place in the middle of a camera's picture, half of it or more not hidden
+  remove,   ///< an object wholly outside a space
+  carry,    ///< the middle of an object inside a space
 };
 
 struct TaskStep {
   TaskVerb verb = TaskVerb::touch;
-  int instrument = 0;           ///< of the scene
-  int place = -1;               ///< of the task; -1 for none, which only release may have
-  Band force = {};              ///< [N] size of what the hand feels
-  Band depth = {};              ///< [m] of the tip below the surface at rest
-  Band distance = {};           ///< [m] of what is held from where it is at rest
-  double duration = 0.0;        ///< [s] for which it must be so; gaps of up to 0.1 s are left out
-  double share = 1.0;           ///< [-] of a path, 0 to 1
-  double time_limit = 0.0;      ///< [s] since it began; once longer is an error. 0 for none
+  int instrument = 0;       ///< of the scene
+  int place = -1;           ///< of the task; -1 for none, which only release may have
+  int space = -1;           ///< of the task: that remove is from, and carry into; else -1
+  Band force = {};          ///< [N] size of what the hand feels
+  Band depth = {};          ///< [m] of the tip below the surface at rest
+  Band distance = {};       ///< [m] of what is held from where it is at rest; to look, of the lens
+  double duration = 0.0;    ///< [s] for which it must be so; gaps of up to 0.1 s are left out
+  double share = 1.0;       ///< [-] of a path, 0 to 1
+  double time_limit = 0.0;  ///< [s] since it began; once longer is an error. 0 for none
   std::vector<int> after = {};  ///< steps that must be done before it begins
 };
 
@@ -79,8 +90,21 @@ enum class TaskMeasure {
   speed,       ///< [m/s] of the tool, over 20 ms
   clearance,   ///< [m] from the tip's surface to a ball, where that is at rest; 0 inside
   off_path,    ///< [m] from what is touched to a path; 0 without contact
-  strain,  ///< [-] the largest principal one of what the tool touches or holds, there or anywhere
+  /// [-] the largest principal one of what the tool touches or holds, there or anywhere; with an
+  /// object, of all that is pushed within 2 mm of it, whatever pushes
+  strain,
+  loose,  ///< [-] 1 where the jaws do not hold an object between them, else 0: above 0
+  /// [-] 1 where no camera has the tip in its picture, or it is hidden: above 0; with a space,
+  /// while the tip is in that
+  out_of_view,
+  object_force,  ///< [N] all with which tissue pushes an object
 };
+
+/// Whether what it watches is or is not, so that its bound is 0 and it is wrong above that.
+inline bool is_yes_or_no(TaskMeasure measure) noexcept {
+  return measure == TaskMeasure::contact || measure == TaskMeasure::loose ||
+         measure == TaskMeasure::out_of_view;
+}
 
 enum class LimitConsequence { warn, error, end };
 
@@ -104,6 +128,28 @@ struct TaskSurface {
   std::vector<Triangle> triangles;
 };
 
+/// What is no tissue of a scene: its scenery, then its rigid bodies, as the surfaces that tools
+/// touch are counted after the bodies.
+struct TaskObject {
+  int rigid = -1;             ///< of Scene::rigid; -1 of scenery
+  Vec3Array vertices;         ///< [m] in its own frame, of scenery the scene's
+  AabbTree tree;              ///< over these
+  Vec3Array sphere_centres;   ///< [m] of a rigid body, in its own frame
+  std::vector<double> radii;  ///< [m] of these
+  RigidState start;           ///< of a rigid body
+};
+
+/// The lens of an instrument, in the tool's frame. What is hidden from it is hidden by tissue or
+/// scenery, not by instruments or rigid bodies.
+struct TaskCamera {
+  int instrument = 0;             ///< of the scene
+  Vec3 at = Vec3::Zero();         ///< [m]
+  Vec3 forward = -Vec3::UnitZ();  ///< unit
+  double field_of_view = 1.22;    ///< [rad] the whole angle of the round picture
+};
+
+inline constexpr int kMostSeenPoints = 32;
+
 /// All that judge() knows of a task, and never changes.
 struct Task {
   std::vector<TaskPlace> places;
@@ -111,16 +157,21 @@ struct Task {
   std::vector<TaskLimit> limits;
   double time_limit = 0.0;  ///< [s] of ticks, positive
   int errors_at_most = -1;  ///< with more the task has failed; -1 for any number
+  std::vector<TaskCamera> cameras = {};
 
   // filled in by build_task
-  std::vector<TaskSurface> surfaces;  ///< per body
-  std::vector<double> tool_radii;     ///< [m] per instrument
+  std::vector<TaskSurface> surfaces = {};  ///< per body
+  std::vector<double> tool_radii = {};     ///< [m] per instrument
+  std::vector<TaskObject> objects = {};    ///< every scenery, then every rigid body
 };
 static_assert(alignof(Task) == 8);
 
 inline constexpr int kMostSteps = 200;
 inline constexpr int kMostLimits = 100;
 inline constexpr int kMostPlaces = 100;
+
+/// Whether its verdict depends on where all of a tissue is, so that World::follows_all must be on.
+bool watches_sight(const Task& task) noexcept;
 
 /// Checks a task once and fills in what is derived from it and the scene. Throws
 /// std::invalid_argument naming the field, what it got and what was expected.

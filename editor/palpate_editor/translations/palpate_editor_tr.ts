@@ -413,6 +413,18 @@
         <translation>Bul ve tıkla</translation>
     </message>
     <message>
+        <source>Look at</source>
+        <translation>Bak</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Dışarı çıkar</translation>
+    </message>
+    <message>
+        <source>Carry to</source>
+        <translation>Götür</translation>
+    </message>
+    <message>
         <source>Follow a line</source>
         <translation>Çizgiyi izle</translation>
     </message>
@@ -507,6 +519,26 @@
     <message>
         <source>Strain</source>
         <translation>Gerinim</translation>
+    </message>
+    <message>
+        <source>Dropped</source>
+        <translation>Düşürülmesi</translation>
+    </message>
+    <message>
+        <source>Tip out of view</source>
+        <translation>Uç görüş dışında</translation>
+    </message>
+    <message>
+        <source>Force on an object</source>
+        <translation>Nesne üzerindeki kuvvet</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>nesne</translation>
+    </message>
+    <message>
+        <source>space</source>
+        <translation>uzay</translation>
     </message>
     <message>
         <source>Texts</source>

@@ -32,8 +32,8 @@ inline Scene sheet_scene() {
 /// is put where a test wants it, and its pushes and holds as well.
 class StagedWorld {
  public:
-  explicit StagedWorld(Task asked)
-      : scene(sheet_scene()),
+  explicit StagedWorld(Task asked, Scene staged = sheet_scene())
+      : scene(std::move(staged)),
         task(build_task(scene, std::move(asked))),
         world(scene),
         progress(task) {

@@ -3076,6 +3076,18 @@
         <translation>grasper türünde bir alet</translation>
     </message>
     <message>
+        <source>a step for which the tool must see</source>
+        <translation>aletin görmesi gereken bir adım</translation>
+    </message>
+    <message>
+        <source>a tool of the kind laparoscope</source>
+        <translation>laparoskop türünde bir alet</translation>
+    </message>
+    <message>
+        <source>region, path, ball, object or space</source>
+        <translation>region, path, ball, object veya space</translation>
+    </message>
+    <message>
         <source>a type of Gmsh's manual</source>
         <translation>Gmsh kılavuzundaki bir tür</translation>
     </message>

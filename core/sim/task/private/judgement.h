@@ -34,6 +34,7 @@ class Judgement {
   bool is_met(const TaskStep& step, const Measures& measures) const noexcept;
   bool is_at(const TaskStep& step, const Measures& measures) const noexcept;
   bool is_held(const TaskStep& step, const Measures& measures) const noexcept;
+  bool is_seen(const TaskStep& step) const noexcept;
   void dwell(std::size_t s, bool met) noexcept;
   void trace(std::size_t s, const Measures& measures) noexcept;
   void find(std::size_t s, const Measures& measures) noexcept;
@@ -41,6 +42,7 @@ class Judgement {
 
   void judge_limit(std::size_t l) noexcept;
   double measure_limit(const TaskLimit& limit) const noexcept;
+  bool is_watched_there(const TaskLimit& limit) const noexcept;
   void open_limit(std::size_t l, double value) noexcept;
   void follow_open_limit(std::size_t l, double value) noexcept;
   void close_limit(std::size_t l) noexcept;

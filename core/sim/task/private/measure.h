@@ -52,7 +52,8 @@ double find_hold_share(const Task& task, const World& world, std::size_t instrum
                        const TaskPlace& place, const Measures& measures) noexcept;
 
 /// [-] The largest principal strain of the triangles that the tool touches or holds, of those at a
-/// place where one is given: of the surface within its plane, as a stretch less 1. 0 for none.
+/// place where one is given: of the surface within its plane, as a stretch less 1. 0 for none. At
+/// an object of all that is pushed next to it.
 double find_strain(const Task& task, const World& world, std::size_t instrument,
                    const TaskPlace* place) noexcept;
 
@@ -60,8 +61,8 @@ double find_strain(const Task& task, const World& world, std::size_t instrument,
 double find_strain(const Triangle& t, std::span<const Vec3> at_rest,
                    std::span<const Vec3> now) noexcept;
 
-/// [m] From a point at rest to a place: to a ball's surface or a path, 0 on it or inside. Infinite
-/// for a region, which has no such distance.
+/// [m] From a point to a place: to the surface of a ball or a space, or a path, 0 on it or inside.
+/// Infinite for a region or an object, which have no such distance.
 double find_distance(const TaskPlace& place, const Vec3& at_rest) noexcept;
 
 /// The nearest point of a path between two arc lengths [m].

@@ -84,6 +84,15 @@ class Draft(QObject):
         return dict(sorted(said.items(), key=lambda item: item[1].get("instrument", 0)))
 
     @property
+    def verbs(self) -> list[str]:
+        """What can be asked for: objects are moved where there are some."""
+        objects = {} if self.assessment is None else self.assessment.get("objects", {})
+        used = {step.get("do") for step in self.steps}
+        return [
+            verb for verb in author.VERBS if objects or verb in used or verb not in author.SPACES
+        ]
+
+    @property
     def organ_id(self) -> str:
         assert self.assessment is not None
         return next(iter(self.assessment["organs"]))
@@ -145,9 +154,18 @@ class Draft(QObject):
         made, at = self.assessment, None
         if verb != "release":
             made, at = self.find_usual_place(verb)
-        made, identity = author.add_step(made, verb, at)
+        space = next((name for name, row in self.places.items() if "space" in row), None)
+        moves = verb in author.SPACES and space is not None
+        try:
+            values = {author.SPACES[verb]: space} if moves else {}
+            made, identity = author.add_step(made, verb, at, values)
+        except AuthorError as problem:  # objects are moved out of a space or into one
+            self.context.tell(str(problem))
+            return
         self.step_id = identity
-        self.apply(made, "step", "step", "--add", verb, *([] if at is None else ["--at", at]))
+        words = [] if at is None else ["--at", at]
+        words += ["--space", str(space)] if moves else []
+        self.apply(made, "step", "step", "--add", verb, *words)
 
     def find_usual_place(self, verb: str) -> tuple[Json, str]:
         assert self.assessment is not None
@@ -205,7 +223,8 @@ class Draft(QObject):
         place = self.places.get(at, {})
         if "region" in place:
             return str(place["region"]).partition("/")[2]
-        kind = tr("line") if "path" in place else tr("ball")
+        kinds = {"path": tr("line"), "object": tr("object"), "space": tr("space")}
+        kind = next((word for key, word in kinds.items() if key in place), tr("ball"))
         return f"{at} ({kind})"
 
 

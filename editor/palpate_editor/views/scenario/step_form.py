@@ -21,7 +21,7 @@ OF_VERB = {
     "pull": ("force_N", "distance_m"), "trace": ("force_N",), "find": ("force_N",),
 }  # fmt: skip
 """Which bands a verb may have."""
-LASTING = ("touch", "hold", "push", "pull", "grasp", "release")
+LASTING = ("touch", "hold", "push", "pull", "grasp", "release", "look", "remove", "carry")
 RECORDED = ("hold", "push", "trace", "find")
 """Verbs whose band can be taken from a hand that presses."""
 
@@ -49,8 +49,6 @@ class StepForm(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(7)
         self.verb = self._choice("step_verb", tr("What is to be done"), column)
-        for verb in author.VERBS:
-            self.verb.addItem(say_verb(verb), verb)
         self.verb.activated.connect(self._set_verb)
         self.place = self._choice("step_place", tr("Where"), column)
         self.place.activated.connect(self._set_place)
@@ -120,6 +118,9 @@ class StepForm(QWidget):
             return
         self._writing = True
         verb = str(step.get("do"))
+        self.verb.clear()
+        for each in self.draft.verbs:
+            self.verb.addItem(say_verb(each), each)
         self.verb.setCurrentIndex(max(self.verb.findData(verb), 0))
         self._list_places(step)
         self._list_tools(step)

@@ -85,6 +85,8 @@ class StepList(QWidget):
         chosen = self.draft.step
         for button in (self.duplicate, self.mute, self.remove):
             button.setEnabled(chosen is not None)
+        for action in self.menu.actions():
+            action.setVisible(action.data() in self.draft.verbs)
         muted = chosen is not None and bool(chosen.get("muted"))
         self.mute.setText(tr("Unmute") if muted else tr("Mute"))
         self._writing = False

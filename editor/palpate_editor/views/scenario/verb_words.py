@@ -13,6 +13,7 @@ Words = list[str]
 OPTIONS = {
     "force_N": "--force", "depth_m": "--depth", "distance_m": "--distance", "for_s": "--for",
     "within_s": "--within", "share": "--share", "at": "--at", "do": "--do",
+    "from": "--space", "to": "--space",
 }  # fmt: skip
 """Members of a step, as `palpate scenario step` says them."""
 UNITS = {"force_N": "N", "depth_m": "m", "distance_m": "m", "for_s": "s", "within_s": "s"}
@@ -36,8 +37,11 @@ def say_place(place: Json) -> str:
     """As --at has it."""
     if "region" in place:
         return f"region:{str(place['region']).partition('/')[2]}"
-    if "ball" in place:
-        return "ball:" + ",".join(map(str, place["ball"]))
+    if "object" in place:
+        return f"object:{place['object']}"
+    for kind in ("ball", "space"):
+        if kind in place:
+            return f"{kind}:" + ",".join(map(str, place[kind]))
     return "path:" + ":".join(",".join(map(str, point)) for point in place["path"])
 
 

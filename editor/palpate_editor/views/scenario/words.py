@@ -21,6 +21,7 @@ def say_verb(verb: str) -> str:
         "touch": tr("Touch"), "hold": tr("Press and hold"), "push": tr("Push in"),
         "pull": tr("Pull out"), "grasp": tr("Grasp"), "release": tr("Let go"),
         "trace": tr("Follow a line"), "find": tr("Find and click"),
+        "look": tr("Look at"), "remove": tr("Take out"), "carry": tr("Carry to"),
     }.get(verb, verb)  # fmt: skip
 
 
@@ -36,7 +37,8 @@ def say_measure(measure: str) -> str:
         "force": tr("Force"), "force_rate": tr("Rate of force"), "contact": tr("Contact"),
         "depth": tr("Depth"), "distance": tr("Pulled distance"), "speed": tr("Speed"),
         "clearance": tr("Clearance"), "path.off": tr("Off the line"),
-        "strain": tr("Strain"),
+        "strain": tr("Strain"), "loose": tr("Dropped"), "out_of_view": tr("Tip out of view"),
+        "object_force": tr("Force on an object"),
     }.get(measure, measure)  # fmt: skip
 
 
