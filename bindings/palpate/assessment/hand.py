@@ -20,6 +20,8 @@ class Hand:
         self.surface = OrganSurface(task, scene.instruments[instrument].tool.radius)
         self.position: Vec = self.surface.centre + self.surface.far * self.find_side()
         self.buttons = 0
+        self.orientation: tuple[float, ...] = (0.0, 0.0, 0.0, 1.0)
+        """(x, y, z, w) of the device."""
 
     def find_side(self) -> Vec:
         """Unit, from the middle of all: where its instrument waits, on the side of its trocar."""
@@ -31,6 +33,17 @@ class Hand:
     def list_steps(self) -> list[int]:
         """The steps of the task that are its instrument's."""
         return [n for n, s in enumerate(self.task.steps) if s.instrument == self.instrument]
+
+    def find_anchor(self, place: palpate.TaskPlace) -> tuple[Vec, Vec]:
+        """The point [m] of a place to go to, and where from, a unit vector."""
+        if place.kind is palpate.PlaceKind.object:
+            return np.array(self.scene.rigid[place.body].position), self.find_side()
+        if place.kind is palpate.PlaceKind.space:
+            return np.array(place.points[0]), self.find_side()
+        return self.surface.find_anchor(place)
+
+    def see(self, world: palpate.World) -> None:
+        """Looks where things are: asked every few ticks."""
 
     def move(self, time: float, dt: float, force: Vec, state: palpate.TaskState) -> None:
         """Goes on by dt [s], having felt a force [N]."""
@@ -61,7 +74,7 @@ class Jab(Hand):
         if not self.way:
             place = self.task.places[self.places[self.next % len(self.places)]]
             self.next += 1
-            anchor, normal = self.surface.find_anchor(place)
+            anchor, normal = self.find_anchor(place)
             above = self.surface.above(anchor, normal, REST)
             deep = self.surface.above(anchor, normal, -self.DEPTH)
             ways = [(corner, 0) for corner in self.surface.find_way(self.position, above)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import palpate
 from palpate.assessment.hand import Hand, Idle, Jab
+from palpate.assessment.mover import Mover, moves_objects
 from palpate.assessment.person import Person
 from palpate.assessment.skill import CAREFUL, CLUMSY
 
@@ -31,4 +32,6 @@ def make_hand(
     if name == "jab":
         return Jab(scene, task, instrument)
     skill = CAREFUL if name == "careful" else CLUMSY
+    if moves_objects(task, instrument):
+        return Mover(scene, task, skill, seed + OTHERS_SEED * instrument, instrument)
     return Person(scene, task, skill, seed + OTHERS_SEED * instrument, instrument)

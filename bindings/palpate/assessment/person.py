@@ -157,7 +157,7 @@ class Person(Hand):
             return Aim(number, old.anchor, old.normal, [], self.skill.pause, miss, stiffness,
                        old.depth, lift, since, 0.0, at)  # fmt: skip
         self.buttons = 0
-        anchor, normal = self.surface.find_anchor(self.task.places[step.place])
+        anchor, normal = self.find_anchor(self.task.places[step.place])
         near = old is not None and bool(np.allclose(anchor, old.anchor))
         if near and old is not None:
             return replace(old, number=number, wait=self.skill.pause, miss=miss, since=0.0)

@@ -20,7 +20,7 @@ from palpate.system.processor import count_processors
 SEEDS = 3
 """Of each level, before a task is published"""
 GLANCE = 10
-"""[ticks] between two looks at how far the task is"""
+"""[ticks] between two looks at how far the task is, and where things are"""
 
 
 @dataclass
@@ -85,10 +85,16 @@ def attempt(
     tick = 0
     while played.state.outcome is palpate.Outcome.running:
         samples = []
+        if tick % GLANCE == 0:
+            for each in hands:
+                each.see(world)
         for each, command, kept in zip(hands, commands, played.samples, strict=True):
             each.move(tick * dt, dt, np.asarray(command.force), played.state)
             sample = palpate.HapticSample(
-                time=tick * dt, position=each.position, buttons=each.buttons
+                time=tick * dt,
+                position=each.position,
+                orientation=each.orientation,
+                buttons=each.buttons,
             )
             samples.append(sample)
             kept.append(sample)
