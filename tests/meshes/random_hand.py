@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A hand that handles a scene of several bodies at random, from a seed, tick by tick."""
+"""Hands that handle a scene of several bodies at random, from a seed, tick by tick."""
 
 from __future__ import annotations
 
@@ -120,18 +120,56 @@ class RandomHand:
             last,
         ]
 
-    def samples(self, rate: float) -> Iterator[palpate.HapticSample]:
-        """One a tick."""
-        ways = self.write()
-        _, at, buttons = next(ways)
-        time, tick = 0.0, 0
-        for duration, to, held in ways:
-            while tick / rate < time + duration:
-                share = (tick / rate - time) / duration
-                sample = palpate.HapticSample()
-                sample.time = tick / rate
-                sample.position = at + share * (to - at)
-                sample.buttons = held
-                yield sample
-                tick += 1
-            time, at = time + duration, to
+
+class RandomGrasper:
+    """Jaws through a trocar that look for a stone: in and out, turned, open and closed, against
+    the stone and into the walls around it."""
+
+    def __init__(self, scene: palpate.Scene, seed: int):
+        self.chance = np.random.default_rng(seed)
+        self.stone = np.asarray(scene.rigid[0].position)
+        out = np.asarray(scene.instruments[0].trocar) - self.stone
+        self.length = float(np.linalg.norm(out))
+        self.out = out / self.length
+
+    def write(self) -> Iterator[Way]:
+        """Without an end."""
+        chance = self.chance
+        at = self.stone + 0.7 * self.length * self.out
+        yield 0.0, at, 0
+        while True:
+            inside = chance.random() < 0.8
+            far = chance.uniform(0.2, 0.7) * self.length
+            aside = chance.normal(scale=4e-3, size=3)
+            to = self.stone + (aside if inside else far * self.out)
+            closed = int(chance.random() < 0.6)
+            speed = chance.uniform(0.02, 0.2)
+            yield max(1e-3, float(np.linalg.norm(to - at)) / speed), to, closed
+            closed = int(chance.random() < 0.6)
+            yield chance.uniform(0.05, 0.5), to, closed
+            at = to
+
+
+def follow(ways: Iterator[Way], rate: float, roll: float = 0.0) -> Iterator[palpate.HapticSample]:
+    """One sample a tick; a device that turns about its axis at `roll` [rad/s]."""
+    _, at, _ = next(ways)
+    time, tick = 0.0, 0
+    for duration, to, held in ways:
+        while tick / rate < time + duration:
+            share = (tick / rate - time) / duration
+            sample = palpate.HapticSample()
+            sample.time = tick / rate
+            sample.position = at + share * (to - at)
+            half = 0.5 * roll * tick / rate
+            sample.orientation = (0.0, 0.0, np.sin(half), np.cos(half))
+            sample.buttons = held
+            yield sample
+            tick += 1
+        time, at = time + duration, to
+
+
+def move_at_random(scene: palpate.Scene, seed: int) -> Iterator[palpate.HapticSample]:
+    """One sample a tick, without an end."""
+    if scene.instruments[0].tool.jaws is not None:
+        return follow(RandomGrasper(scene, seed).write(), scene.rate, roll=0.5)
+    return follow(RandomHand(scene, seed).write(), scene.rate)

@@ -12,14 +12,61 @@ import palpate
 import palpate_meshes
 import pytest
 from palpate.runs.run import read_scene
-from random_hand import RandomHand
+from random_hand import move_at_random
+from scipy.spatial.transform import Rotation
 
 SCENES = Path(palpate_meshes.__file__).parent / "scenes"
-NAMES = ("layered_block", "liver_gallbladder", "liver_gallbladder_peritoneum")
+NAMES = (
+    "layered_block",
+    "liver_gallbladder",
+    "liver_gallbladder_peritoneum",
+    "kidney_stone_removal",
+)
 LOOKED_AT = 500
-"""Ticks after which vertices are counted that are in another body."""
-FASTEST = 20.0
-"""[m/s] Nothing that a hand moves at 1 m/s goes so fast."""
+"""Ticks after which is counted what is in another body."""
+FASTEST = 40.0
+"""[m/s] 5 N of a hand's spring along the 70 mm that a sheet is drawn out by are 0.35 J; the 0.4 g
+around a vertex of it would go at 42 m/s with all of that."""
+SHORT_BORDER = 12
+"""[-] Edges of a border that a lid closes."""
+
+
+def close(triangles: np.ndarray) -> np.ndarray | None:
+    """A surface with a lid on each short border; None where there are longer ones."""
+    loops = palpate.find_border_loops(triangles)
+    if any(len(loop) > SHORT_BORDER for loop in loops):
+        return None
+    lids = [(loop[0], loop[k + 1], loop[k]) for loop in loops for k in range(1, len(loop) - 1)]
+    return np.vstack([triangles, np.array(lids, dtype=triangles.dtype)]) if lids else triangles
+
+
+@dataclass
+class Skin:
+    """The surface of a body, as it is looked at."""
+
+    triangles: np.ndarray
+    closed: np.ndarray | None = field(init=False)
+    edges: np.ndarray = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.closed = close(self.triangles)
+        self.edges = np.asarray(palpate.build_topology(self.triangles).edges)
+
+    def count_inside(self, x: np.ndarray, points: np.ndarray) -> int:
+        """Points that it goes around where its vertices are at x [m]; none of an open one."""
+        if self.closed is None:
+            return 0
+        used = x[np.unique(self.triangles)]
+        near = ((points > used.min(axis=0)) & (points < used.max(axis=0))).all(axis=1)
+        return sum(palpate.compute_winding_number(self.closed, x, p) > 0.5 for p in points[near])
+
+    def count_pierced(self, x: np.ndarray, other: Skin, x_other: np.ndarray) -> int:
+        """Edges that go through triangles of another one."""
+        ends = x[self.edges]
+        low, high = x_other[other.triangles].min(axis=(0, 1)), x_other[other.triangles].max((0, 1))
+        near = ((ends.max(axis=1) > low) & (ends.min(axis=1) < high)).all(axis=1)
+        tree = palpate.AabbTree(x_other, other.triangles)
+        return sum(palpate.find_segment_hit(tree, x_other, a, b) is not None for a, b in ends[near])
 
 
 @dataclass
@@ -31,52 +78,65 @@ class Handled:
     least_gap: float = np.inf
     """[m] of any pair."""
     inside: int = 0
-    """Vertices in another body, at most."""
+    """Vertices, tools and middles of a stone's spheres in a body, at most."""
+    pierced: int = 0
+    """Edges through triangles of another body, at most."""
     touched: int = 0
-    """Ticks in which bodies touched each other."""
+    """Ticks in which bodies touched each other, or a stone something."""
     fastest: float = 0.0
     """[m/s] of any particle, where it was looked at."""
     held: int = 0
     """Ticks in which the tool held."""
+    frames: list[palpate.HapticSample] = field(default_factory=list)
+    felt: list[palpate.Felt] = field(default_factory=list)
+    hashes: list[palpate.StateHash] = field(default_factory=list)
+
+    def write_record(self) -> palpate.Record:
+        return palpate.Record(hand=self.frames, felt=self.felt, hashes=self.hashes)
 
 
-def count_inside(scene: palpate.Scene, world: palpate.World, body: int, other: int) -> int:
-    """Vertices of a body's surface that another, closed one goes around."""
-    triangles = np.asarray(scene.bodies[other].tissue.triangles)
-    if palpate.find_border_loops(triangles):
-        return 0
-    around = np.asarray(palpate.surface_position(world.bodies[other]))
-    of = np.unique(scene.bodies[body].tissue.triangles)
-    x = np.asarray(palpate.surface_position(world.bodies[body]))[of]
-    used = around[np.unique(triangles)]
-    near = ((x > used.min(axis=0)) & (x < used.max(axis=0))).all(axis=1)
-    return sum(palpate.compute_winding_number(triangles, around, p) > 0.5 for p in x[near])
+def look(scene: palpate.Scene, skins: list[Skin], handled: Handled) -> None:
+    world = handled.world
+    x = [np.asarray(palpate.surface_position(body)) for body in world.bodies]
+    handled.fastest = max(
+        handled.fastest, *(np.linalg.norm(b.tissue.velocity, axis=1).max() for b in world.bodies)
+    )
+    inside = pierced = 0
+    for pair in scene.body_pairs:
+        for a, b in ((pair.first, pair.second), (pair.second, pair.first)):
+            inside += skins[b].count_inside(x[b], x[a][np.unique(skins[a].triangles)])
+            pierced += skins[a].count_pierced(x[a], skins[b], x[b])
+    points = [np.asarray(instrument.tool.position) for instrument in world.instruments]
+    for body, state in zip(scene.rigid, world.rigid, strict=True):
+        turn = Rotation.from_quat(np.asarray(state.orientation))
+        points += list(turn.apply(body.sphere_centres) + np.asarray(state.position))
+    inside += sum(
+        skin.count_inside(at, np.array(points)) for skin, at in zip(skins, x, strict=True)
+    )
+    handled.inside, handled.pierced = max(handled.inside, inside), max(handled.pierced, pierced)
 
 
 def handle(scene: palpate.Scene, seed: int, seconds: float) -> Handled:
     handled = Handled(palpate.World(scene))
+    skins = [Skin(np.asarray(body.tissue.triangles)) for body in scene.bodies]
     ticks = round(seconds * scene.rate)
-    for tick, sample in enumerate(
-        itertools.islice(RandomHand(scene, seed).samples(scene.rate), ticks)
-    ):
-        palpate.tick(scene, sample, 1.0 / scene.rate, handled.world)
-        world = handled.world
+    world = handled.world
+    for tick, sample in enumerate(itertools.islice(move_at_random(scene, seed), ticks)):
+        command = palpate.tick(scene, sample, 1.0 / scene.rate, world)
+        handled.frames.append(sample)
+        handled.felt.append(palpate.compute_felt(command, world))
         if world.alarm:
             handled.alarms.append(f"{world.alarm.kind.name} of body {world.alarm_body} at {tick}")
             break
         for pair in world.body_pairs:
             handled.least_gap = min(handled.least_gap, pair.least_gap)
             handled.touched += pair.touching > 0
-        handled.held += world.instruments[0].tool.hold_count > 0
+        handled.touched += any(np.any(stone.tissue_force) for stone in world.rigid)
+        tool = world.instruments[0].tool
+        handled.held += tool.hold_count > 0 or tool.anchor_count > 0
         if tick % LOOKED_AT == 0:
-            speeds = [np.abs(body.tissue.velocity).max() for body in world.bodies]
-            handled.fastest = max(handled.fastest, *speeds, 0.0)
-            inside = sum(
-                count_inside(scene, world, *bodies)
-                for pair in scene.body_pairs
-                for bodies in ((pair.first, pair.second), (pair.second, pair.first))
-            )
-            handled.inside = max(handled.inside, inside)
+            look(scene, skins, handled)
+            handled.hashes.append(palpate.StateHash(tick=tick, hash=palpate.compute_hash(world)))
     return handled
 
 
@@ -84,34 +144,34 @@ def check(scene: palpate.Scene, handled: Handled) -> None:
     assert handled.alarms == []
     assert handled.least_gap > 0.0
     assert handled.inside == 0
+    assert handled.pierced == 0
     assert handled.fastest < FASTEST
-    assert handled.held > 0
-    assert handled.touched > 0 or not scene.body_pairs
 
 
-@pytest.mark.landing
-@pytest.mark.parametrize("name", NAMES)
-def test_some_seconds_of_random_handling_pass_nothing_through_and_are_the_same_again(name):
+def handle_and_replay(name: str, seed: int, seconds: float) -> None:
     scene = read_scene(SCENES / f"{name}.palpate")
 
-    handled = handle(scene, 1, 8.0)
+    handled = handle(scene, seed, seconds)
 
     check(scene, handled)
-    again = handle(scene, 1, 8.0)
-    assert palpate.compute_hash(again.world) == palpate.compute_hash(handled.world)
+    assert palpate.replay(scene, handled.write_record()).equal
+    if seconds > 1.0:
+        assert handled.held > 0
+        assert handled.touched > 0 or not (scene.body_pairs or scene.rigid)
 
 
-SHOT = ("liver_gallbladder_peritoneum", 0)
-"""Scene and seed that end in an alarm of energy at 15.6 s: the sheet, let go, comes 0.5 mm into the
-gallbladder or the liver within a tick (core/STABILITY.md)."""
+def test_a_random_hand_on_two_organs_passes_nothing_through_and_replays_to_the_bit():
+    handle_and_replay("liver_gallbladder", 1, 0.3)
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.landing
+def test_nor_does_one_for_some_seconds_on_any_scene_that_ships(name):
+    handle_and_replay(name, 1, 8.0)
 
 
 @pytest.mark.verify
 @pytest.mark.parametrize("seed", range(10))
 @pytest.mark.parametrize("name", NAMES)
-def test_nor_do_ten_minutes(name, seed, request):
-    if (name, seed) == SHOT:
-        request.applymarker(pytest.mark.xfail(strict=True, reason="what is let go comes through"))
-    scene = read_scene(SCENES / f"{name}.palpate")
-
-    check(scene, handle(scene, seed, 60.0))
+def test_nor_do_ten_minutes(name, seed):
+    handle_and_replay(name, seed, 60.0)

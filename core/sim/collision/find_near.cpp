@@ -93,27 +93,54 @@ bool knows_side(const SurfaceContacts& contacts) noexcept {
   return contacts.closed && !contacts.same;
 }
 
-void note_side(std::size_t v, const NearPoint& point, const Triangle& corners,
+/// Whether a vertex was before a triangle's plane.
+bool was_before(std::size_t v, const Triangle& corners, const Before& before) noexcept {
+  const Vec3& a = before.x_t[static_cast<std::size_t>(corners[0])];
+  const Vec3& b = before.x_t[static_cast<std::size_t>(corners[1])];
+  const Vec3& c = before.x_t[static_cast<std::size_t>(corners[2])];
+  return (b - a).cross(c - a).dot(before.x_v[v] - a) >= 0.0;
+}
+
+void note_side(std::size_t v, const NearPoint& point, const Triangle& corners, const Before& before,
                SurfaceContacts& contacts) noexcept {
   if (knows_side(contacts)) return;
+  signed char& side = contacts.side[v];
+  const bool in_front = !(point.height < 0.0);
   if (is_over_border(contacts, corners, point.weights)) {
-    contacts.side[v] = 0;
+    side = 0;
   } else if (contacts.same && contacts.closed) {
-    if (point.height > 0.0) contacts.side[v] = 1;
-  } else if (contacts.side[v] == 0) {
-    contacts.side[v] = point.height < 0.0 ? -1 : 1;
+    if (point.height > 0.0) side = 1;
+  } else if (side == 0 || in_front == (side > 0)) {
+    side = in_front ? 1 : -1;
+  } else if (contacts.follows_sides && std::abs(side) == 1) {
+    if (was_before(v, corners, before) == in_front) {
+      side = in_front ? 1 : -1;
+    } else {
+      side = in_front ? -2 : 2;
+    }
   }
 }
 
+/// Likewise of a vertex whose lists still hold.
+void follow_side(std::size_t v, const Vec3& p, std::span<const Triangle> triangles,
+                 std::span<const Vec3> x_t, const Before& before,
+                 SurfaceContacts& contacts) noexcept {
+  NearPoint point;
+  const auto list = std::span<const int>(contacts.near[v]).first(contacts.near_count[v]);
+  const int nearest = find_nearest(p, list, triangles, x_t, point);
+  note_side(v, point, triangles[static_cast<std::size_t>(nearest)], before, contacts);
+}
+
 void find_near_of(std::size_t v, const Vec3& p, std::span<const Triangle> triangles,
-                  std::span<const Vec3> x_t, SurfaceContacts& contacts) noexcept {
+                  std::span<const Vec3> x_t, const Before& before,
+                  SurfaceContacts& contacts) noexcept {
   const double window = std::max(kNearWindow, 2.0 * contacts.ahead);
   const auto list = std::span<const int>(contacts.listed[v]).first(contacts.listed_count[v]);
   NearPoint point;
   contacts.near_count[v] = 0;
   const int nearest = find_nearest(p, list, triangles, x_t, point);
   if (nearest < 0) return;
-  note_side(v, point, triangles[static_cast<std::size_t>(nearest)], contacts);
+  note_side(v, point, triangles[static_cast<std::size_t>(nearest)], before, contacts);
   const double distance = std::sqrt(point.square);
   const double spare = distance - contacts.barrier.thickness;
   if (spare > std::max(kTouchWindow, contacts.ahead)) {
@@ -127,8 +154,11 @@ void find_near_of(std::size_t v, const Vec3& p, std::span<const Triangle> triang
 }  // namespace
 
 void find_near(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
-               std::span<const Vec3> x_t, SurfaceContacts& contacts) noexcept {
+               std::span<const Vec3> x_t, SurfaceContacts& contacts,
+               const Before& before) noexcept {
   contacts.active_count = 0;
+  contacts.follows_sides = !before.x_v.empty();
+  const bool follows = contacts.follows_sides && !knows_side(contacts) && !contacts.same;
   for (std::size_t v = 0; v < x_v.size(); ++v) {
     if (contacts.listed_count[v] == 0) {
       contacts.near_count[v] = 0;
@@ -136,7 +166,9 @@ void find_near(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
       continue;
     }
     if (contacts.moved + contacts.ahead > contacts.near_until[v]) {
-      find_near_of(v, x_v[v], triangles, x_t, contacts);
+      find_near_of(v, x_v[v], triangles, x_t, before, contacts);
+    } else if (follows && contacts.near_count[v] > 0) {
+      follow_side(v, x_v[v], triangles, x_t, before, contacts);
     }
     if (contacts.near_count[v] == 0) continue;
     contacts.active[static_cast<std::size_t>(contacts.active_count++)] = static_cast<int>(v);
@@ -154,8 +186,12 @@ VertexContact find_contact(const SurfaceContacts& contacts, int vertex, const Ve
   if (is_over_border(contacts, triangles[static_cast<std::size_t>(nearest)], point.weights)) {
     return {};
   }
-  const double distance = std::sqrt(point.square), side = contacts.side[v];
+  const double distance = std::sqrt(point.square), side = contacts.side[v] > 0 ? 1.0 : -1.0;
   const bool through = side * point.height < 0.0;
+  // nobody has come through by more than may have gone since it was looked at
+  const bool jumped = contacts.follows_sides && !knows_side(contacts) && !contacts.same &&
+                      std::abs(contacts.side[v]) == 1 && distance > contacts.ahead;
+  if (through && jumped) return {};
   const double gap = through ? -distance : distance;
   if (!(gap < reach) || gap < -find_depth(contacts)) return {};
   constexpr double kOnSurface = 1e-9;  // [m]

@@ -60,42 +60,79 @@ double bound_slope(const SurfaceContacts& contacts, double gap, double area) noe
   return barrier.stiffness * area / (part * part * shorter * shorter);
 }
 
+/// [m/s] That is too much of a closing speed, in a step of dt [s].
+double find_excess(const Barrier& barrier, const VertexContact& contact, const Moving& moving,
+                   double dt) noexcept {
+  const double room = std::max(0.0, contact.gap - kClosestPart * barrier.thickness);
+  return -moving.speed - room / dt;
+}
+
+/// What an impulse takes of one contact changes others: they are gone over again until
+/// what is left would not close a gap by more than a hundredth of the thickness.
+void stop_what_is_left(const SurfaceContacts& contacts, double dt, const TouchingSurface& vertices,
+                       const TouchingSurface& triangles, ContactSum& sum) noexcept {
+  constexpr int kPasses = 8;
+  const double enough = 0.01 * contacts.barrier.thickness / dt;
+  bool all = false;
+  for (int pass = 0; pass < kPasses && !all; ++pass) {
+    all = true;
+    for (const int vertex : contacts.active_in_use()) {
+      const auto v = static_cast<std::size_t>(vertex);
+      const VertexContact contact =
+          find_contact(contacts, vertex, vertices.x[v], triangles.tissue.triangles, triangles.x,
+                       std::numeric_limits<double>::infinity());
+      if (contact.triangle < 0) continue;
+      const Moving moving = measure(contact, vertex, vertices, triangles);
+      const double excess = find_excess(contacts.barrier, contact, moving, dt);
+      if (!(moving.inverse_mass > 0.0) || !(excess > enough)) continue;
+      all = false;
+      const Vec3 impulse = excess / moving.inverse_mass * contact.normal;
+      add_impulse(contact, vertex, impulse, vertices, triangles);
+      add_force(contact, vertex, impulse / dt, vertices, triangles);
+      sum.force -= impulse / dt;
+    }
+  }
+}
+
 }  // namespace
 
 /// f = A (p(g) - c dg/dt) along the normal, never below 0, with c A = 2 zeta sqrt(k_A A m) of the
 /// mass m of the gap. An impulse takes what would close the gap in this step to under a tenth of
-/// the thickness, mass-weighted, one contact after the other, so that none takes twice what another
-/// has taken.
+/// the thickness, from wherever it is, mass-weighted, one contact after the other, so that none
+/// takes twice what another has taken.
 ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
                          const TouchingSurface& vertices,
                          const TouchingSurface& triangles) noexcept {
   const Barrier& barrier = contacts.barrier;
   ContactSum sum;
+  bool stopped = false;
   for (const int vertex : contacts.active_in_use()) {
     const auto v = static_cast<std::size_t>(vertex);
     const VertexContact contact =
         find_contact(contacts, vertex, vertices.x[v], triangles.tissue.triangles, triangles.x,
-                     barrier.thickness);
+                     std::numeric_limits<double>::infinity());
     if (contact.triangle < 0) continue;
     const Moving moving = measure(contact, vertex, vertices, triangles);
+    const bool within = contact.gap < barrier.thickness;
     const double area = contacts.area[v];
     double force = area * compute_pressure(barrier, contact.gap);
     if (moving.inverse_mass > 0.0) {
       const double critical = 2.0 * std::sqrt(barrier.stiffness * area / moving.inverse_mass);
-      force = std::max(0.0, force - barrier.damping * critical * moving.speed);
-      const double room = std::max(0.0, contact.gap - kClosestPart * barrier.thickness);
-      const double closing = -moving.speed - room / dt;
-      if (closing > 0.0) {
-        const double impulse = closing / moving.inverse_mass;
+      if (within) force = std::max(0.0, force - barrier.damping * critical * moving.speed);
+      if (const double excess = find_excess(barrier, contact, moving, dt); excess > 0.0) {
+        const double impulse = excess / moving.inverse_mass;
+        stopped = true;
         add_impulse(contact, vertex, impulse * contact.normal, vertices, triangles);
         force += impulse / dt;
       }
     }
+    if (!within && force == 0.0) continue;
     add_force(contact, vertex, force * contact.normal, vertices, triangles);
     sum.least_gap = sum.touching++ == 0 ? contact.gap : std::min(sum.least_gap, contact.gap);
     sum.energy += area * compute_barrier_energy(barrier, contact.gap);
     sum.force -= force * contact.normal;
   }
+  if (stopped) stop_what_is_left(contacts, dt, vertices, triangles, sum);
   return sum;
 }
 

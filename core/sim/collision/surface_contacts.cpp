@@ -105,15 +105,17 @@ void keep_listed(std::size_t v, const Vec3& p, std::size_t count,
 }
 
 void list_vertex(std::size_t v, const Vec3& p, const AabbTree& tree, std::span<const Vec3> x_t,
-                 double margin, SurfaceContacts& contacts) noexcept {
-  const double reach = contacts.barrier.thickness + margin, far = measure_to_box(p, tree);
+                 double margin, double behind, SurfaceContacts& contacts) noexcept {
+  const double reach = contacts.barrier.thickness + margin;
+  const double far = measure_to_box(p, tree) - behind;
   contacts.near_until[v] = contacts.moved;  // the lists of the nearest are of another one
   if (far > reach) {
     contacts.listed_count[v] = 0;
     contacts.listed_until[v] = contacts.moved + (far - contacts.barrier.thickness);
     return;
   }
-  const auto count = static_cast<std::size_t>(find_in_sphere(tree, x_t, p, reach, contacts.found));
+  const auto count =
+      static_cast<std::size_t>(find_in_sphere(tree, x_t, p, reach + behind, contacts.found));
   keep_listed(v, p, count, tree.triangles(), x_t, contacts);
   contacts.listed_until[v] = contacts.moved + margin;
 }
@@ -148,14 +150,13 @@ SurfaceContacts::SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh&
 }
 
 /// A vertex is looked at once in a round, and its list is found again where half of its margin is
-/// spent; so no list lapses as long as a round ends before the other half is. Motion is taken to
-/// grow by twice that of the last tick at most.
+/// spent; so no list lapses as long as a round ends before the other half is.
 void renew_lists(std::span<const Vec3> x_v, const AabbTree& tree, std::span<const Vec3> x_t,
-                 double move, SurfaceContacts& contacts) noexcept {
-  constexpr double kUnseen = 1e-5;  // [m] what begins to move within a tick
+                 const Travel& travel, SurfaceContacts& contacts) noexcept {
   const std::size_t count = x_v.size();
+  const double move = travel.move;
   contacts.moved += move;
-  contacts.ahead = 2.0 * move + kUnseen;
+  contacts.ahead = travel.ahead;
   const double margin = std::max(kListMargin, 2.0 * contacts.ahead);
   const double spare = 0.5 * margin - contacts.ahead;
   const bool all = !contacts.begun || !(move < spare);
@@ -167,7 +168,7 @@ void renew_lists(std::span<const Vec3> x_v, const AabbTree& tree, std::span<cons
     contacts.next = v + 1 < count ? v + 1 : 0;
     if (contacts.area[v] == 0.0) continue;  // a particle inside
     if (contacts.begun && contacts.listed_until[v] - contacts.moved >= 0.5 * margin) continue;
-    list_vertex(v, x_v[v], tree, x_t, margin, contacts);
+    list_vertex(v, x_v[v], tree, x_t, margin, travel.behind, contacts);
   }
   contacts.begun = true;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace palpate {
 
@@ -42,7 +43,7 @@ SurfaceTouch::SurfaceTouch(const TissueModel& tissue)
   load = Load(static_cast<int>(count));
 }
 
-void follow_move(std::span<const Vec3> x, SurfaceMotion& motion) noexcept {
+void follow_move(std::span<const Vec3> x, double elapsed, SurfaceMotion& motion) noexcept {
   double most = 0.0;
   if (motion.has_last) {
     for (std::size_t v = 0; v < x.size(); ++v) {
@@ -50,7 +51,10 @@ void follow_move(std::span<const Vec3> x, SurfaceMotion& motion) noexcept {
     }
   }
   motion.move = std::sqrt(most);
+  if (elapsed > 0.0) motion.speed = motion.move / elapsed;
+  std::swap(motion.last, motion.before);
   std::ranges::copy(x, motion.last.begin());
+  if (!motion.has_last || elapsed == 0.0) std::ranges::copy(x, motion.before.begin());
   motion.has_last = true;
 }
 

@@ -11,6 +11,7 @@
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/tick/private/check_input.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
+#include "palpate/sim/tick/private/contact_pace.h"
 #include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/device_coupling.h"
 #include "palpate/sim/tick/private/follow_button.h"
@@ -266,6 +267,12 @@ int run_safeguarded(const Scene& scene, double dt, int finest, World& world) noe
   choose_stiff_parts(scene, dt, world);
   run_substeps(scene, dt, finest, world);
   end_bodies(scene, dt, world);
+  while (take_back_outrun(scene, dt, world)) {
+    finest = fit_substeps(scene, world);
+    choose_stiff_parts(scene, dt, world);
+    run_substeps(scene, dt, finest, world);
+    end_bodies(scene, dt, world);
+  }
   const Alarm first = world.alarm;
   const int first_body = world.alarm_body;
   while (world.alarm && climb(scene, world)) {
@@ -336,7 +343,7 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
   Stopwatch whole(world.measures_costs);
   const std::size_t instruments = world.instruments.size();
   calm_down(scene, dt, world);
-  meet_bodies(world);
+  meet_bodies(dt, world);
   meet_scenery(world);
   meet_rigid(scene, dt, world);
   follow_bodies(scene, world);

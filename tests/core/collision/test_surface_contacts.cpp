@@ -312,3 +312,38 @@ TEST_CASE("an open surface pushes to the side that a vertex came from, and not o
     CHECK(find(0).gap == doctest::Approx(-1e-4));
   }
 }
+
+TEST_CASE("a vertex that comes to another fold of a sheet has not come through it") {
+  // two squares, one over the other, that face up
+  SurfaceMesh folds;
+  for (const double z : {0.0, 5e-4}) {
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+      folds.vertices.emplace_back(0.01 * x, 0.01 * y, z);
+    }
+  }
+  folds.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  const TissueModel model = build_mass_spring(folds, {.wall_thickness = 0.003}, 100.0);
+  const TissueModel ball = make_ball(2);
+  Moved sheet(model), moving(ball);
+  SurfaceContacts contacts(ball, model, false, kBarrier);
+  Vec3Array last;
+  const auto go = [&](double height) {
+    last = moving.x;
+    for (Vec3& x : moving.x) x = {0.0, 0.0, 1.0};
+    moving.x[0] = {0.002, 0.001, height};
+    if (!contacts.begun) last = moving.x;
+    const double move = (moving.x[0] - last[0]).norm();
+    renew_lists(moving.x, sheet.tree, sheet.x, move, contacts);
+    find_near(moving.x, model.triangles, sheet.x, contacts, {last, sheet.x});
+    return find_contact(contacts, 0, moving.x[0], model.triangles, sheet.x, kBarrier.thickness);
+  };
+  CHECK(go(2e-4).gap == doctest::Approx(2e-4));
+  // nearer to the back of the upper one
+  CHECK(go(4e-4).gap == doctest::Approx(1e-4));
+  CHECK(go(4e-4).normal.z() == doctest::Approx(-1.0));
+  // through it, and pushed back for as long as it is there
+  CHECK(go(6e-4).gap == doctest::Approx(-1e-4));
+  CHECK(go(6e-4).gap == doctest::Approx(-1e-4));
+  CHECK(go(6e-4).normal.z() == doctest::Approx(-1.0));
+  CHECK(go(4e-4).gap == doctest::Approx(1e-4));
+}

@@ -55,7 +55,9 @@ struct SurfaceContacts {
   std::vector<double> near_until;  ///< [m] of `moved`
   std::vector<std::array<int, kMostNear>> near;
   std::vector<unsigned char> near_count;
-  std::vector<signed char> side;  ///< of an open surface: 1 before it, -1 behind, 0 not known
+  std::vector<signed char> side;  ///< of an open surface: 1 before it, -1 behind, 0 not known;
+                                  ///< 2 and -2 where it has come through from there
+  bool follows_sides = false;     ///< it is known where both surfaces were before
   std::vector<int> active;        ///< vertices with near triangles, ascending; capacity
   int active_count = 0;
 
@@ -64,14 +66,41 @@ struct SurfaceContacts {
   }
 };
 
-/// Begins a tick in which the surfaces, at x_v and x_t [m], have moved by `move` [m] together since
-/// the last one: the lists of the vertices whose turn it is are found again in the tree.
-void renew_lists(std::span<const Vec3> x_v, const AabbTree& tree, std::span<const Vec3> x_t,
-                 double move, SurfaceContacts& contacts) noexcept;
+/// How far two surfaces go, together.
+struct Travel {
+  double move = 0.0;    ///< [m] since lists were looked at last
+  double ahead = 0.0;   ///< [m] at most until they are looked at again
+  double behind = 0.0;  ///< [m] by which the triangles may have left the boxes of their tree
+};
 
-/// Finds which vertices may touch in this tick, and the triangles that may be their nearest.
+/// What goes on as it did may go twice as far, and a little more where it begins to move.
+inline Travel expect_same(double move) noexcept {
+  constexpr double kUnseen = 1e-5;  // [m] what begins to move within a tick
+  return {move, 2.0 * move + kUnseen, 0.0};
+}
+
+/// Begins a tick, or a part of one, in which the surfaces are at x_v and x_t [m]: the lists of the
+/// vertices whose turn it is are found again in the tree.
+void renew_lists(std::span<const Vec3> x_v, const AabbTree& tree, std::span<const Vec3> x_t,
+                 const Travel& travel, SurfaceContacts& contacts) noexcept;
+
+/// Likewise a tick in which the surfaces have moved by `move` [m] since the last one.
+inline void renew_lists(std::span<const Vec3> x_v, const AabbTree& tree, std::span<const Vec3> x_t,
+                        double move, SurfaceContacts& contacts) noexcept {
+  renew_lists(x_v, tree, x_t, expect_same(move), contacts);
+}
+
+/// Where the surfaces were when they were looked at last [m]; empty where nobody knows.
+struct Before {
+  std::span<const Vec3> x_v, x_t;
+};
+
+/// Finds which vertices may touch in this tick, and the triangles that may be their nearest. A
+/// vertex that is found behind an open surface has come through where it was before the nearest
+/// triangle; where it was behind that already, it has come to another fold, or around the border.
 void find_near(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
-               std::span<const Vec3> x_t, SurfaceContacts& contacts) noexcept;
+               std::span<const Vec3> x_t, SurfaceContacts& contacts,
+               const Before& before = {}) noexcept;
 
 /// Where a vertex is over the nearest triangle.
 struct VertexContact {

@@ -12,11 +12,14 @@ namespace palpate {
 
 /// How far a surface goes from tick to tick.
 struct SurfaceMotion {
-  explicit SurfaceMotion(std::size_t count = 0) : last(count, Vec3::Zero()) {}
+  explicit SurfaceMotion(std::size_t count = 0)
+      : last(count, Vec3::Zero()), before(count, Vec3::Zero()) {}
 
   Vec3Array last;         ///< [m] the surface at the last tick (follow_move)
+  Vec3Array before;       ///< [m] likewise at the one before that (follow_move)
   bool has_last = false;  ///< `last` is of the tick before (follow_move)
   double move = 0.0;      ///< [m] of any vertex since, at most (follow_move)
+  double speed = 0.0;     ///< [m/s] of any vertex meanwhile, at most (follow_move)
 };
 
 /// [1/kg] per vertex of a surface; 0 of one whose particles are all held, as nothing moves it.
@@ -32,6 +35,7 @@ struct SurfaceTouch : SurfaceMotion {
   std::vector<std::array<int, 2>> corner;  ///< per vertex: a triangle, and which of its corners
 
   bool is_touched = false;  ///< something may touch it in this tick
+  double behind = 0.0;      ///< [m] by which it may have left the boxes of its tree
   double stiffness = 0.0;  ///< [1/s²] that contacts add to the largest eigenvalue of M⁻¹K at most
   double approach = 0.0;     ///< [-] of a barrier's thickness, by which a gap closes in a tick
   std::vector<double> row;   ///< [1/s²] per vertex: what contacts make of the row of M⁻¹K
@@ -43,8 +47,9 @@ struct SurfaceTouch : SurfaceMotion {
   Load load;                             ///< the forces of the last substep, gravity aside
 };
 
-/// Measures how far a surface at x [m] has gone since this was called last.
-void follow_move(std::span<const Vec3> x, SurfaceMotion& motion) noexcept;
+/// Measures how far a surface at x [m] has gone since this was called last, `elapsed` [s] ago; 0
+/// where it was put back to where it was, and is as fast as it was.
+void follow_move(std::span<const Vec3> x, double elapsed, SurfaceMotion& motion) noexcept;
 
 /// Makes the forces the pushes of the load, one on each vertex, and begins again.
 void write_load(SurfaceTouch& touch) noexcept;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <numeric>
 
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
@@ -13,6 +14,7 @@
 #include "palpate/sim/model/tissue_model.h"
 #include "palpate/sim/packed/private/follow_motion.h"
 #include "palpate/sim/packed/private/packed.h"
+#include "palpate/sim/tick/private/contact_pace.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/linear_tick.h"
 #include "palpate/sim/tick/private/safeguard.h"
@@ -54,6 +56,14 @@ void add_near(const TissueModel& tissue, int triangle, long tick, NearList& near
   }
 }
 
+/// All of a body, whatever is in the list.
+void add_all(NearList& near) noexcept {
+  near.particle_count = static_cast<int>(near.particles.size());
+  near.skin_count = static_cast<int>(near.skin.size());
+  std::iota(near.particles.begin(), near.particles.end(), 0);
+  std::iota(near.skin.begin(), near.skin.end(), 0);
+}
+
 /// A body, and what moves it in a tick.
 struct Moved {
   Moved(const Scene& scene_in, std::size_t body_in, World& world_in) noexcept
@@ -75,6 +85,7 @@ void list_near(const Moved& moved, NearList& near) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   const World& world = moved.world;
   const auto index = static_cast<int>(moved.index);
+  if (is_followed_within(moved.index, moved.world)) return add_all(near);
   near.clear();
   for_each_touched_vertex(moved.scene, moved.index, moved.world, [&](int vertex) noexcept {
     add_vertex(tissue, vertex, world.tick_count, near);

@@ -164,7 +164,7 @@ void find_scenery_contacts(const Scene& scene, World& world) noexcept {
     if (!internals(world.bodies[b]).meets) {
       motion.has_last = false;
     } else if (!world.bodies[b].asleep || !motion.has_last) {
-      follow_move(surface_position(world.bodies[b]), motion);
+      follow_move(surface_position(world.bodies[b]), 0.0, motion);
     }
   }
   for (std::size_t s = 0; s < world.scenery_contacts.size(); ++s) {

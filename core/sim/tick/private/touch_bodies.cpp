@@ -7,6 +7,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/collision/private/choose_barrier.h"
+#include "palpate/sim/tick/private/contact_pace.h"
 #include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tree/private/box_distance.h"
@@ -18,64 +19,9 @@ namespace {
 /// longer.
 constexpr double kMeeting = 3.0 * kListMargin;
 
-/// [-] of the thickness that a gap may close by in one substep.
-constexpr double kLongestApproach = 0.3;
-
 /// [m] Between the boxes of two surfaces, each grown by what its tree may be behind.
 double measure_between(const SoftState& a, const SoftState& b) noexcept {
   return measure_between(a.tree, b.tree) - bound_lag(a) - bound_lag(b);
-}
-
-TouchingSurface view_surface(const Scene& scene, std::size_t body, World& world) noexcept {
-  const SoftState& state = world.bodies[body];
-  return {scene.bodies[body].tissue, surface_position(state), state.tissue.velocity,
-          workspace(world).touched[body]};
-}
-
-void find_pair(const Scene& scene, std::size_t p, World& world) noexcept {
-  BodyContacts& contacts = workspace(world).contacts[p];
-  const auto& bodies = contacts.bodies;
-  const double move =
-      workspace(world).touched[bodies[0]].move + workspace(world).touched[bodies[1]].move;
-  for (std::size_t k = 0; k < contacts.side_count; ++k) {
-    SurfaceContacts& side = contacts.sides[k];
-    if (!world.body_pairs[p].near) {
-      side.begun = false;
-      side.active_count = 0;
-      continue;
-    }
-    const SoftState &first = world.bodies[bodies[k]], &second = world.bodies[bodies[1 - k]];
-    renew_lists(surface_position(first), second.tree, surface_position(second), move, side);
-    find_near(surface_position(first), scene.bodies[bodies[1 - k]].tissue.triangles,
-              surface_position(second), side);
-    if (side.active_count == 0) continue;
-    for (const std::size_t b : bodies) workspace(world).touched[b].is_touched = true;
-  }
-}
-
-/// What the contacts of all pairs ask of the steps of a tick.
-void find_need(const Scene& scene, double dt, World& world) noexcept {
-  TickBuffers& work = workspace(world);
-  Stopwatch watch(world.measures_costs);
-  for (std::size_t p = 0; p < work.contacts.size(); ++p) {
-    const auto& bodies = work.contacts[p].bodies;
-    for (std::size_t k = 0; k < work.contacts[p].side_count; ++k) {
-      const SurfaceContacts& side = work.contacts[p].sides[k];
-      if (side.active_count == 0) continue;
-      const ContactNeed need = accumulate_stiffness(side, dt, view_surface(scene, bodies[k], world),
-                                                    view_surface(scene, bodies[1 - k], world));
-      const double approach = need.approach * dt / side.barrier.thickness;
-      for (const std::size_t b : bodies) {
-        work.touched[b].approach = std::max(work.touched[b].approach, approach);
-      }
-    }
-    watch.add_to(world.costs.body_pairs[p].candidates);
-  }
-  for (SurfaceTouch& touch : work.touched) {
-    if (!touch.is_touched) continue;
-    touch.stiffness = *std::ranges::max_element(touch.row);
-    std::ranges::fill(touch.row, 0.0);
-  }
 }
 
 /// Of a body that has stepped, velocities have what impulses did in them.
@@ -181,44 +127,25 @@ void build_body_contacts(const Scene& scene, World& world) {
       if (touch.corner.empty()) touch = SurfaceTouch(tissue);
     }
   }
-  meet_bodies(world);
+  meet_bodies(1.0 / scene.rate, world);
   find_body_contacts(scene, 1.0 / scene.rate, world);
 }
 
-void meet_bodies(World& world) noexcept {
+void meet_bodies(double dt, World& world) noexcept {
   if (world.body_pairs.empty() && world.scenery_contacts.empty() && world.rigid.empty()) return;
   for (SoftState& body : world.bodies) internals(body).meets = false;
   for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
     BodyPairState& pair = world.body_pairs[p];
-    const BodyContacts& contacts = workspace(world).contacts[p];
+    BodyContacts& contacts = workspace(world).contacts[p];
     const auto& bodies = contacts.bodies;
     SoftState &first = world.bodies[bodies[0]], &second = world.bodies[bodies[1]];
-    const double reach = contacts.sides[0].barrier.thickness + (pair.near ? 2.0 : 1.0) * kMeeting;
-    pair.near = bodies[0] == bodies[1] || measure_between(first, second) < reach;
+    const double reach = (pair.near ? 2.0 : 1.0) * kMeeting +
+                         2.0 * (measure_move(dt, first) + measure_move(dt, second));
+    contacts.apart = measure_between(first, second) - contacts.sides[0].barrier.thickness;
+    pair.near = bodies[0] == bodies[1] || contacts.apart < reach;
     if (!pair.near) continue;
     internals(first).meets = internals(second).meets = true;
   }
-}
-
-void find_body_contacts(const Scene& scene, double dt, World& world) noexcept {
-  if (world.body_pairs.empty()) return;
-  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
-    SurfaceTouch& touch = workspace(world).touched[b];
-    touch.is_touched = false;
-    touch.stiffness = touch.approach = 0.0;
-    touch.move = 0.0;
-    if (!internals(world.bodies[b]).meets) {
-      touch.has_last = false;
-    } else if (!world.bodies[b].asleep || !touch.has_last) {
-      follow_move(surface_position(world.bodies[b]), touch);
-    }
-  }
-  Stopwatch watch(world.measures_costs);
-  for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
-    find_pair(scene, p, world);
-    watch.add_to(world.costs.body_pairs[p].candidates);
-  }
-  find_need(scene, dt, world);
 }
 
 bool is_touched(std::size_t body, World& world) noexcept {
@@ -229,11 +156,6 @@ double bound_touch_stiffness(std::size_t body, World& world) noexcept {
   return is_touched(body, world) ? workspace(world).touched[body].stiffness : 0.0;
 }
 
-double count_approach_substeps(std::size_t body, World& world) noexcept {
-  if (!is_touched(body, world)) return 1.0;
-  return std::ceil(workspace(world).touched[body].approach / kLongestApproach);
-}
-
 std::span<const Push> list_touch_pushes(std::size_t body, World& world) noexcept {
   if (world.body_pairs.empty()) return {};
   return workspace(world).touched[body].load.pushes();
@@ -242,6 +164,7 @@ std::span<const Push> list_touch_pushes(std::size_t body, World& world) noexcept
 void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world) noexcept {
   if (world.body_pairs.empty()) return;
   TickBuffers& work = workspace(world);
+  follow_pace(scene, s, dt, world);
   Stopwatch watch(world.measures_costs);
   forget_impulses(s, finest, world);
   for (std::size_t p = 0; p < work.contacts.size(); ++p) {
@@ -265,10 +188,12 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
     watch.add_to(world.costs.body_pairs[p].contact);
   }
   for (SurfaceTouch& touch : work.touched) write_load(touch);
+  work.pace.since += dt;
 }
 
 void end_touching(int finest, World& world) noexcept {
   for (BodyPairState& pair : world.body_pairs) pair.force /= finest;
+  end_pace(world);
 }
 
 double bound_touch_work(std::size_t body, World& world) noexcept {

@@ -16,11 +16,19 @@ void build_body_pairs(Scene& scene);
 /// Makes what a world needs for its body_pairs, with all lists of contacts that may be.
 void build_body_contacts(const Scene& scene, World& world);
 
-/// Finds which bodies are near each other. Those follow all of their tissue in this tick.
-void meet_bodies(World& world) noexcept;
+/// Finds which bodies are near each other. Those follow all of their tissue in this tick, of dt
+/// [s].
+void meet_bodies(double dt, World& world) noexcept;
 
 /// Finds what of their surfaces may touch in this tick, where all of them is up to date.
 void find_body_contacts(const Scene& scene, double dt, World& world) noexcept;
+
+/// A surface as it stands in a substep.
+inline TouchingSurface view_surface(const Scene& scene, std::size_t body, World& world) noexcept {
+  const SoftState& state = world.bodies[body];
+  return {scene.bodies[body].tissue, surface_position(state), state.tissue.velocity,
+          workspace(world).touched[body]};
+}
 
 /// Whether a surface of another body, or of its own, may touch this one in this tick.
 bool is_touched(std::size_t body, World& world) noexcept;

@@ -231,7 +231,17 @@ struct BodyContacts {
   std::array<std::size_t, 2> bodies = {};  ///< of World::bodies; never change
   std::array<SurfaceContacts, 2> sides;  ///< vertices of the first on the second, and of it on that
   std::size_t side_count = 0;            ///< 1 of a body with itself
+  double apart = 0.0;          ///< [m] beyond the thickness, where they are not near (meet_bodies)
   double stored_energy = 0.0;  ///< [J] in the barrier, at the first substep (touch_bodies)
+};
+
+/// How often a tick looks at what bodies may touch. Where surfaces go far in a tick, once is not
+/// enough [contact: bodies].
+struct ContactPace {
+  bool within = false;  ///< it looks again within the tick (find_body_contacts, look_more_often)
+  bool outrun = false;  ///< surfaces went farther than what was found bears (touch_bodies)
+  double hold = 0.0;    ///< [s] that what was found holds
+  double since = 0.0;   ///< [s] since it was found
 };
 
 /// What is no tissue, as instruments touch it: a scenery, or the mesh of a rigid body.
@@ -271,10 +281,11 @@ struct TickBuffers {
   std::vector<double> cost;            ///< of a substep of each, relative (choose_substeps)
   std::vector<BodyContacts> contacts;  ///< as Scene::body_pairs
   std::vector<SurfaceTouch> touched;   ///< per body; none without body_pairs
-  std::vector<StopContacts> stops;     ///< as World::scenery_contacts
-  std::vector<StoppedBody> stopped;    ///< per body; none without scenery_contacts
-  std::vector<HardSurface> hard;       ///< every scenery, then every rigid body
-  std::vector<HardPair> hard_pairs;    ///< every instrument with every one of these
+  ContactPace pace;
+  std::vector<StopContacts> stops;   ///< as World::scenery_contacts
+  std::vector<StoppedBody> stopped;  ///< per body; none without scenery_contacts
+  std::vector<HardSurface> hard;     ///< every scenery, then every rigid body
+  std::vector<HardPair> hard_pairs;  ///< every instrument with every one of these
   RigidContacts rigid;
 };
 
