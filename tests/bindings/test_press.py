@@ -59,6 +59,23 @@ def test_tissue_that_creeps_to_rest_within_the_hold_has_the_stiffness_it_comes_t
     assert found["peak_force_N"] > 0.6
 
 
+def test_a_pull_that_came_out_empty_tells_at_which_force_it_slipped():
+    times = write_script(PLACE, RADIUS, PressScript(DEPTH, pull=5e-3))[1]
+    time = np.arange(0.0, times.end, 1e-3)
+    height = np.interp(time, [0.05, times.pressed, times.held + 0.1, times.pulled],
+                       [4e-3, -DEPTH, -DEPTH, 5e-3])  # fmt: skip
+    for lost, pulled, slipped in ((-1e-3, 0.0, 0.3), (4e-3, 0.3, None)):
+        force = np.where((time > times.held) & (height < lost), 0.3, 0.0)
+        felt = {"force": np.outer(force, PLACE.outward),
+                "position": PLACE.point + np.outer(height + RADIUS, PLACE.outward),
+                "touched": np.zeros(len(time), np.uint8)}  # fmt: skip
+        record = SimpleNamespace(hand={"time": time}, felt=felt)
+
+        found = measure_press(record, PLACE, RADIUS, times)
+
+        assert (found["pull_force_N"], found["slipped_at_N"]) == (pulled, slipped)
+
+
 def test_an_organ_that_still_swings_as_a_whole_has_no_stiffness():
     """A solid on a small base showed 0.7 N/m or 20, by when the hold ended."""
     swing = 0.02 * (1.0 + 0.8 * np.cos(2.0 * np.pi * (TIME - TIMES.held) / 0.25))

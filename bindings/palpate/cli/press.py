@@ -85,14 +85,25 @@ def describe_stiffness(stiffness: float | None) -> str:
     return f"{stiffness:.3g} N/m, force over depth at rest"
 
 
+def describe_pull(pull: float | None, slipped: float | None) -> str:
+    if pull is None:
+        return "none"
+    if slipped is None:
+        return f"{pull:.3f} N"
+    return (
+        f"{pull:.3f} N: it came out of the tissue with nothing in its grip, after {slipped:.3f} N; "
+        "press deeper (--depth) or elsewhere (--at)"
+    )
+
+
 def describe_press(report: Report) -> str:
     stiffness = report["patch_stiffness_N_per_m"]
-    pull = report["pull_force_N"]
+    pull = describe_pull(report["pull_force_N"], report["slipped_at_N"])
     return "\n".join(
         [
             f"peak force   {report['peak_force_N']:.3f} N",
             f"patch        {describe_stiffness(stiffness)}",
-            f"pull         {'none' if pull is None else f'{pull:.3f} N'}",
+            f"pull         {pull}",
             f"tick         {report['tick_median_us']:.0f} us median, "
             f"{report['tick_p99_us']:.0f} us p99, {report['substeps']} substeps",
             f"lateness     {report['lateness_p99_us']:.0f} us p99; "

@@ -154,7 +154,8 @@ def is_at_rest(force: np.ndarray) -> bool:
 def measure_press(
     record: palpate.Record, place: Place, radius: float, times: PressTimes
 ) -> dict[str, float | None]:
-    """What a recorded script felt: peak of the press, peak of the pull, stiffness of the patch.
+    """What a recorded script felt: peak of the press, peak of the pull, stiffness of the patch, and
+    of a pull that came out empty the force at which it slipped.
 
     The hand's own time counts, so skipped ticks do not shift these times. Stiffness is the mean
     force of the last 100 ms of the hold over how deep the tip itself then stands below the surface
@@ -168,13 +169,17 @@ def measure_press(
     depth = (place.point - centre) @ place.outward + radius
     pressing = time <= times.held
     settled = pressing & (time >= max(times.pressed, times.held - REST))
-    stiffness = pull = None
+    stiffness = pull = slipped = None
     if settled.any() and depth[settled].mean() > 0.0 and is_at_rest(force[settled]):
         stiffness = float(force[settled].mean() / depth[settled].mean())
     if times.pulled is not None:
-        pull = float(force[(time > times.held) & (depth < 0.0)].max(initial=0.0))
+        drawn = time > times.held
+        pull = float(force[drawn & (depth < 0.0)].max(initial=0.0))
+        if pull == 0.0:
+            slipped = float(force[drawn].max(initial=0.0))
     return {
         "peak_force_N": float(force[pressing].max(initial=0.0)),
         "pull_force_N": pull,
+        "slipped_at_N": slipped,
         "patch_stiffness_N_per_m": stiffness,
     }

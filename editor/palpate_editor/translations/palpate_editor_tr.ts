@@ -165,6 +165,10 @@
         <translation>Dokunan uzunluk</translation>
     </message>
     <message>
+        <source>slipped off at {force}: press deeper</source>
+        <translation>{force} kuvvetinde kaydı: daha derine bastırın</translation>
+    </message>
+    <message>
         <source>Press each pair</source>
         <translation>Her çifti bastır</translation>
     </message>

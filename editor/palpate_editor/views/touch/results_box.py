@@ -88,7 +88,11 @@ def list_felt(outcome: Outcome) -> list[Fact]:
             facts.append((tr("Force / depth"), tr("not at rest: hold longer"), "warning"))
         else:
             facts.append((tr("Force / depth, at rest"), quantity(stiffness, "N/m", 3)))
-        if pull is not None:
+        if felt["slipped_at_N"] is not None:
+            slipped = quantity(felt["slipped_at_N"], "N", 3)
+            words = tr("slipped off at {force}: press deeper").format(force=slipped)
+            facts.append((tr("Pull force"), words, "warning"))
+        elif pull is not None:
             facts.append((tr("Pull force"), quantity(pull, "N", 3)))
     return facts
 
