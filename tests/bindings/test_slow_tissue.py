@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 import palpate
 import pytest
+from palpate.cli.main import main
 from palpate.runs.coupling import describe_couplings, find_borne, say_couplings
 from palpate.runs.live import LiveRun
 from surfaces import organ_scene, press_frames
@@ -49,6 +50,21 @@ def test_a_file_keeps_the_rate_and_one_without_has_none(tmp_path):
 def test_a_rate_that_the_ticks_cannot_keep_is_refused():
     with pytest.raises(ValueError, match="as 250 or 333.333"):
         slow_scene(300.0)
+
+
+def test_what_a_slow_tissue_cannot_be_touched_with_is_refused(tmp_path, capsys):
+    """It read beyond what it had kept room for."""
+    scene = organ_scene(2)
+    scene.instruments[0].tool.capsules = [palpate.Capsule((0, 0, 0), (0, 0, 0.02))]
+    scene = palpate.build_scene(scene)
+    with pytest.raises(ValueError, match=r"tool\.capsules: got 1, expected none"):
+        palpate.SlowTissue(scene, 1000.0, 10)
+    path = tmp_path / "probe.palpate"
+    palpate.scenario.write(path, palpate.scenario.Scenario(scene=scene))
+
+    assert main(["multirate", str(path)]) == 2
+
+    assert "between two exchanges a ball is felt" in capsys.readouterr().err
 
 
 def test_a_device_that_declares_nothing_keeps_nothing_passive_and_an_arm_does():

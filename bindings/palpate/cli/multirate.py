@@ -60,7 +60,11 @@ def run_multirate(call: argparse.Namespace) -> Report:
     def tell(row: MultirateRow) -> None:
         print(f"{row.mode} {row.rate:.4g} Hz: {row.rms:.1%}", file=sys.stderr, flush=True)
 
-    chart = draw_chart(call.file, scene, way, call.exchange_rate or RATES, tell)
+    try:
+        chart = draw_chart(call.file, scene, way, call.exchange_rate or RATES, tell)
+    except ValueError as problem:
+        sentence = str(problem).removeprefix("slow tissue: ")
+        raise WrongCall(f"{call.file}: {sentence}") from None
     if call.out is not None:
         # loads matplotlib, which the table does without
         from palpate.study.multirate_plot import save_multirate_plot

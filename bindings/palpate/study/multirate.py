@@ -225,8 +225,12 @@ def draw_chart(
     rates: Sequence[float] = RATES,
     told: Callable[[MultirateRow], None] = lambda row: None,
 ) -> MultirateChart:
-    """Of the scene in that file. Raises OSError, or RuntimeError for an alarm."""
+    """Of the scene in that file. Raises OSError, ValueError for a scene without a ball on a tissue
+    alone, or RuntimeError for an alarm, and where the tissue is not felt at all."""
+    palpate.SlowTissue(scene, scene.rate, 1)  # refuses at once what it cannot do
     peak = float(np.linalg.norm(feel_in_full(scene, list_samples(way, scene.rate)), axis=1).max())
+    if peak == 0.0:
+        raise RuntimeError("the tissue was not felt at full rate: press deeper (--depth)")
     return MultirateChart(
         scene=path.name,
         sha256=hashlib.sha256(path.read_bytes()).hexdigest(),

@@ -22,6 +22,25 @@ int check_ticks(int ticks) {
   refuse("slow tissue: ticks", write_text(ticks), "at least 1");
 }
 
+/// As build_scene refuses Scene::exchange_rate for.
+const Scene& check_scene(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
+    const std::size_t count = scene.instruments[i].tool.capsules.size();
+    if (count == 0) continue;
+    refuse(write_text("slow tissue: instruments[", i, "].tool.capsules"), write_text(count),
+           "none: between two exchanges a ball is felt");
+  }
+  const auto expect_none = [](const char* where, std::size_t count, const char* what) {
+    if (count > 0) refuse(where, write_text(count), what);
+  };
+  const char* felt = "none: between two exchanges nothing but tissue is felt";
+  expect_none("slow tissue: rigid", scene.rigid.size(), felt);
+  expect_none("slow tissue: scenery", scene.scenery.size(), felt);
+  expect_none("slow tissue: body_pairs", scene.body_pairs.size(),
+              "none: between two exchanges bodies do not touch each other");
+  return scene;
+}
+
 int count_tissue_ticks(double interval, double rate) {
   const double count = interval * rate;
   const double whole = std::round(count);
@@ -35,7 +54,7 @@ int count_tissue_ticks(double interval, double rate) {
 
 struct SlowTissue::Run {
   Run(const Scene& scene, double hand_rate, int ticks, LocalForceMode mode)
-      : fast(scene, mode, 1.0 / check_rate(hand_rate), check_ticks(ticks)),
+      : fast(check_scene(scene), mode, 1.0 / check_rate(hand_rate), check_ticks(ticks)),
         tissue_ticks(count_tissue_ticks(fast.ticks() * fast.step(), scene.rate)),
         slow(scene, tissue_ticks),
         exchange(slow.world()) {}

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
 
+import palpate
 from palpate import scenario
 from palpate.command.verb import Report, Verb
 from palpate.files.refusal import Refusal
@@ -49,18 +50,26 @@ def run_felt(call: argparse.Namespace) -> Report:
         "cost": measure_costs,
     }
     wanted = call.only or PARTS
+    if "scenes" in wanted:  # before the others, which take minutes
+        for path in scenes:
+            read_one(path)
     return {name: [asdict(row) for row in parts[name]()] for name in PARTS if name in wanted}
 
 
 def measure_scene(path: Path) -> object:
-    """Raises FileError, or Refusal for a scene of several bodies or instruments."""
+    """Raises FileError or Refusal."""
     from palpate.study.felt import measure_shares
 
+    return measure_shares(str(path), read_one(path))
+
+
+def read_one(path: Path) -> palpate.Scene:
+    """Raises FileError, or Refusal for a scene of several bodies or instruments."""
     scene = scenario.read(str(path)).scene
     for name, found in (("bodies", scene.bodies), ("instruments", scene.instruments)):
         if len(found) != 1:
             raise Refusal(path, f"scene.{name}", str(len(found)), "1, whose force is taken apart")
-    return measure_shares(str(path), scene)
+    return scene
 
 
 def describe_felt(report: Report) -> str:

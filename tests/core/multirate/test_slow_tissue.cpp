@@ -199,3 +199,26 @@ TEST_CASE("what has no meaning is refused with a sentence") {
   CHECK(find_refusal([&] { slow.tick(std::vector<HapticSample>(2)); }) ==
         "slow tissue: samples: got 2, expected 1, one for each instrument");
 }
+
+TEST_CASE("an instrument of capsules and scenery are refused, as with an exchange rate") {
+  const auto refusal = [](auto change) {
+    Scene scene = press_scene();
+    change(scene);
+    scene = build_scene(std::move(scene));
+    return find_refusal([&] { SlowTissue(scene, 1000.0, 10); });
+  };
+
+  CHECK(refusal([](Scene& scene) {
+          scene.instruments[0].tool.capsules = {{Vec3::Zero(), Vec3(0.0, 0.0, 0.02)}};
+        }) ==
+        "slow tissue: instruments[0].tool.capsules: got 1, expected none: between two exchanges a "
+        "ball is felt");
+  CHECK(refusal([](Scene& scene) {
+          Scenery table;
+          table.mesh.vertices = {{-1.0, -1.0, -0.1}, {1.0, -1.0, -0.1}, {0.0, 1.0, -0.1}};
+          table.mesh.triangles = {{0, 1, 2}};
+          scene.scenery.push_back(std::move(table));
+        }) ==
+        "slow tissue: scenery: got 1, expected none: between two exchanges nothing but tissue is "
+        "felt");
+}
