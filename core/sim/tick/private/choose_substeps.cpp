@@ -185,6 +185,7 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
     return count_linear_substeps(scene, body, dt, *kernel, world);
   }
   follow_stretch(state.stretch, work);
+  work.volume_before = state.stretch.smallest_volume;
   work.contact_stiffness = 0.0;
   bool near = false, near_jaws = true;
   double travel = 0.0;

@@ -156,14 +156,15 @@ struct BodyInternals {
   int latest = 0;                             ///< which of them is of this tick (keep_checkpoint)
   Calm calm;                                  ///< (calm_down, climb)
   Rest rest;
-  TreeCost tree_cost;                ///< (follow_tissue)
-  StretchSpectrum spectrum;          ///< never changes
-  double chosen_stiffness;           ///< [1/s²] largest eigenvalue of M⁻¹K (choose_substeps)
-  bool meets = false;                ///< another body is near, or it may fold (meet_bodies)
-  int wanted_substeps;               ///< before those of all bodies were fitted (choose_substeps)
-  double contact_stiffness = 0.0;    ///< [1/s²] that contacts add to it at most (choose_substeps)
-  StiffSteps stiff;                  ///< under Safeguard::implicit_euler
-  std::vector<double> surface_mass;  ///< [kg] per vertex of the surface; never changes
+  TreeCost tree_cost;              ///< (follow_tissue)
+  StretchSpectrum spectrum;        ///< never changes
+  double chosen_stiffness;         ///< [1/s²] largest eigenvalue of M⁻¹K (choose_substeps)
+  bool meets = false;              ///< another body is near, or it may fold (meet_bodies)
+  int wanted_substeps;             ///< before those of all bodies were fitted (choose_substeps)
+  double contact_stiffness = 0.0;  ///< [1/s²] that contacts add to it at most (choose_substeps)
+  double volume_before = 1.0;  ///< [-] Stretch::smallest_volume a tick earlier (choose_substeps)
+  StiffSteps stiff;            ///< under Safeguard::implicit_euler
+  std::vector<double> surface_mass;    ///< [kg] per vertex of the surface; never changes
   std::vector<double> vertex_scratch;  ///< per vertex of the surface; zero between its uses
   MeanLoad mean_load;  ///< over the substeps of a finer body since the last step (move_bodies)
 };
