@@ -43,8 +43,7 @@ void accumulate_links(const Links& links, std::span<const Vec3> x, std::span<con
 
 /// Adds the tensions that `compute_tensions` finds in the sides of every triangle. Each length is
 /// computed once, and there is no arc cosine. A side of tension tau pulls its ends together by
-/// tau d/|d|, so momentum and angular momentum are conserved whatever the tensions are; where the
-/// side has collapsed, 1/|d| stays at its cap and the pull fades with d.
+/// tau d/|d|, so momentum and angular momentum are conserved whatever the tensions are.
 template <class Tensions>
 void accumulate_sides(const Angles& angles, std::span<const Vec3> x, std::span<Vec3> f,
                       Tensions compute_tensions) noexcept {
@@ -52,11 +51,11 @@ void accumulate_sides(const Angles& angles, std::span<const Vec3> x, std::span<V
     const auto [a, b, c] = angles.corners[row];
     const Vec3 side_a = x[b] - x[c], side_b = x[c] - x[a], side_c = x[a] - x[b];
     const PerSide<double> length = {side_a.norm(), side_b.norm(), side_c.norm()};
-    const PerSide<double> inverse = invert_lengths(angles.rest_length[row], length);
-    const PerSide<double> tension = compute_tensions(AngleRow(angles, row), length, inverse);
-    const Vec3 pull_a = (tension[0] * inverse[0]) * side_a;
-    const Vec3 pull_b = (tension[1] * inverse[1]) * side_b;
-    const Vec3 pull_c = (tension[2] * inverse[2]) * side_c;
+    const Divisors<double> by = invert_lengths(angles.rest_length[row], length);
+    const PerSide<double> tension = compute_tensions(AngleRow(angles, row), length, by);
+    const Vec3 pull_a = (tension[0] * by.direction[0]) * side_a;
+    const Vec3 pull_b = (tension[1] * by.direction[1]) * side_b;
+    const Vec3 pull_c = (tension[2] * by.direction[2]) * side_c;
     f[a] += pull_b - pull_c;
     f[b] += pull_c - pull_a;
     f[c] += pull_a - pull_b;

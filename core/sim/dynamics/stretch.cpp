@@ -264,7 +264,7 @@ StretchSpectrum::StretchSpectrum(const TissueModel& model, double rest_in)
 /// (tests/core/dynamics/test_stretch.cpp).
 double bound_stiffness(const StretchSpectrum& spectrum, const Stretch& stretch) noexcept {
   const double taut = 1.0 - 1.0 / stretch.longest;
-  const double inverse = 1.0 / std::max(stretch.shortest, kShortestSide);
+  const double inverse = 1.0 / std::max(stretch.shortest, 0.5 * kBluntSide);
   return spectrum.rest + taut * (spectrum.taut - spectrum.rest) +
          (inverse * inverse - 1.0) * spectrum.angles + (stretch.longest - 1.0) * spectrum.pressure +
          (stiffen_volumes(stretch.smallest_volume, stretch.longest) - 1.0) * spectrum.volumes +

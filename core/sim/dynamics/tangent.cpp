@@ -129,12 +129,12 @@ template <class Tensions>
 Mat9 compute_exact(const Angles& angles, std::size_t row, const Sides& sides,
                    Tensions compute_tensions) {
   const PerSide<Dual> length = sides.variables();
-  const PerSide<Dual> inverse = invert_lengths(angles.rest_length[row], length);
-  const PerSide<Dual> tension = compute_tensions(AngleRow(angles, row), length, inverse);
+  const Divisors<Dual> by = invert_lengths(angles.rest_length[row], length);
+  const PerSide<Dual> tension = compute_tensions(AngleRow(angles, row), length, by);
   Mat3 slopes;
   Mat9 k = Mat9::Zero();
   for (int c = 0; c < 3; ++c) {
-    const Dual pull = tension[c] * inverse[c];
+    const Dual pull = tension[c] * by.direction[c];
     slopes.row(c) = pull.slope.transpose();
     add_side(c, pull.value * Mat3::Identity(), k);
   }
@@ -151,7 +151,7 @@ Mat9 compute_projected(const Angles& energetic, std::size_t row, const Sides& si
   const PerSide<double>& rest = energetic.rest_length[row];
   const PerSide<Dual> slopes =
       compute_angle_tensions(AngleRow(energetic, row), length, invert_lengths(rest, length));
-  const PerSide<double> inverse = invert_lengths(rest, sides.length);
+  const PerSide<double> inverse = invert_lengths(rest, sides.length).direction;
   Mat3 hessian;
   Mat9 k = Mat9::Zero();
   for (int c = 0; c < 3; ++c) {
@@ -203,11 +203,11 @@ void add_angles_projected(const TissueModel& model, const SharedBonds& bonds,
   const Angles energetic = build_energetic(model);
   for (std::size_t t = 0; t < angles.corners.size(); ++t) {
     const Sides sides(angles.corners[t], x);
-    const PerSide<double> inverse = invert_lengths(angles.rest_length[t], sides.length);
+    const Divisors<double> by = invert_lengths(angles.rest_length[t], sides.length);
     const PerSide<double> tension =
         model.angle_law == AngleLaw::gradient
-            ? compute_angle_tensions(AngleRow(angles, t), sides.length, inverse)
-            : compute_eq10_tensions(AngleRow(angles, t), sides.length, inverse);
+            ? compute_angle_tensions(AngleRow(angles, t), sides.length, by)
+            : compute_eq10_tensions(AngleRow(angles, t), sides.length, by);
     const Mat9 k = compute_projected(energetic, t, sides, bonds.share[t], tension);
     add_triangle(angles.corners[t], k, assembly);
   }

@@ -105,16 +105,16 @@ class AngleConstraints final : public Constraints {
       block.gradient[p].row(c) = side.transpose() / norm;
       block.gradient[q].row(c) = -side.transpose() / norm;
     }
-    const PerSide<Dual> inverse = invert_lengths(angles.rest_length[t], length);
+    const Divisors<Dual> by = invert_lengths(angles.rest_length[t], length);
     const double ratio = model_.maxwell.ratio;
-    add(AngleRow(angles, t), length, inverse, 1.0, block);
+    add(AngleRow(angles, t), length, by, 1.0, block);
     if (ratio > 0.0) {
       std::array<double, 6> rest{};
       if (!particles.internal.empty()) {
         std::copy_n(particles.internal.begin() + static_cast<std::ptrdiff_t>(first_ + 6 * t), 6,
                     rest.begin());
       }
-      add(laws::MaxwellLaw::shift(angles, t, rest), length, inverse, ratio, block);
+      add(laws::MaxwellLaw::shift(angles, t, rest), length, by, ratio, block);
     }
     for (int c = 0; c < 3; ++c) {
       const double share = (1.0 + ratio) * share_[t][c];
@@ -125,9 +125,9 @@ class AngleConstraints final : public Constraints {
     project(block, particles, multiplier_[t]);
   }
 
-  static void add(const AngleRow& row, const PerSide<Dual>& length, const PerSide<Dual>& inverse,
+  static void add(const AngleRow& row, const PerSide<Dual>& length, const Divisors<Dual>& by,
                   double part, Block<3, 3>& block) noexcept {
-    const PerSide<Dual> tension = compute_angle_tensions(row, length, inverse);
+    const PerSide<Dual> tension = compute_angle_tensions(row, length, by);
     for (int c = 0; c < 3; ++c) {
       block.slope[c] += part * tension[c].value;
       block.curvature.row(c) += part * tension[c].slope.transpose();

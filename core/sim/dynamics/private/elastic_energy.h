@@ -44,7 +44,7 @@ double compute_angle_energy(const Angles& angles, At at) noexcept {
     const auto [i, j, k] = angles.corners[row];
     const Vec3 a = at(i), b = at(j), c = at(k);
     const PerSide<double> length = {(b - c).norm(), (c - a).norm(), (a - b).norm()};
-    const PerSide<double> inverse = invert_lengths(angles.rest_length[row], length);
+    const PerSide<double> inverse = invert_lengths(angles.rest_length[row], length).inverse;
     sum += compute_angle_energy(AngleRow(angles, row), length, compute_cosines(length, inverse));
   }
   return sum;

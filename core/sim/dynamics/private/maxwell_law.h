@@ -55,11 +55,12 @@ struct MaxwellLaw {
       const Vec3 a = at(i), b = at(j), c = at(k);
       side = {b - c, c - a, a - b};
       length = {side[0].norm(), side[1].norm(), side[2].norm()};
-      inverse = invert_lengths(angles.rest_length[t], length);
-      cosine = compute_cosines(length, inverse);
+      by = invert_lengths(angles.rest_length[t], length);
+      cosine = compute_cosines(length, by.inverse);
     }
     PerSide<Vec3> side;
-    PerSide<double> length, inverse, cosine;
+    PerSide<double> length, cosine;
+    Divisors<double> by;
   };
 
   /// The row of a branch: at rest where its dashpots have gone.
@@ -91,12 +92,11 @@ struct MaxwellLaw {
         [&](std::size_t t, std::span<const double> d) noexcept {
           const Shape shape(model.angles, t, at);
           const AngleRow row = shift(model.angles, t, d);
-          const PerSide<double> tension =
-              model.angle_law == AngleLaw::gradient
-                  ? compute_angle_tensions(row, shape.length, shape.inverse)
-                  : compute_eq10_tensions(row, shape.length, shape.inverse);
+          const PerSide<double> tension = model.angle_law == AngleLaw::gradient
+                                              ? compute_angle_tensions(row, shape.length, shape.by)
+                                              : compute_eq10_tensions(row, shape.length, shape.by);
           for (std::size_t c = 0; c < 3; ++c) {
-            const Vec3 pull = (ratio * tension[c] * shape.inverse[c]) * shape.side[c];
+            const Vec3 pull = (ratio * tension[c] * shape.by.direction[c]) * shape.side[c];
             // side c runs from corner c + 2 to corner c + 1
             f[static_cast<std::size_t>(model.angles.corners[t][(c + 1) % 3])] -= pull;
             f[static_cast<std::size_t>(model.angles.corners[t][(c + 2) % 3])] += pull;

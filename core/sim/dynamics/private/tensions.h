@@ -14,10 +14,13 @@ namespace palpate {
 // Real: double gives forces and energy, Dual their exact tangent. Column c belongs to corner c or
 // to the side opposite it, as in Angles.
 
-/// A side shorter than this part of its rest length is treated as if it were that long wherever
-/// its length divides: forces stay finite in needles and collapsed triangles
-/// [laws: degenerate].
-inline constexpr double kShortestSide = 0.05;
+/// A side l shorter than this part s of its rest length L divides as a longer one,
+///
+///     l^ = (s L + l²/(s L))/2 >= s L/2
+///
+/// which leaves sL with the slope of l: in needles and collapsed triangles forces stay finite and
+/// the gradient of an energy, and drive the side out again [laws: short sides].
+inline constexpr double kBluntSide = 0.3;
 
 /// A link shorter than this part of its rest length has no direction [laws: degenerate].
 inline constexpr double kNoDirection = 1e-6;
@@ -25,17 +28,35 @@ inline constexpr double kNoDirection = 1e-6;
 template <class Real>
 using PerSide = std::array<Real, 3>;
 
-/// 1/l of every side [1/m], at most 1/(0.05 l0).
+/// What the sides of a triangle divide by; all [1/m].
 template <class Real>
-PerSide<Real> invert_lengths(const PerSide<double>& rest, const PerSide<Real>& length) noexcept {
-  PerSide<Real> inverse;
+struct Divisors {
+  PerSide<Real> inverse;    ///< 1/l^
+  PerSide<Real> slope;      ///< d ln l^/dl
+  PerSide<Real> direction;  ///< 1/l, or 0 of a side that has no direction
+  bool blunt = false;       ///< a side is short; if none is, all three are 1/l
+};
+
+template <class Real>
+Divisors<Real> invert_lengths(const PerSide<double>& rest, const PerSide<Real>& length) noexcept {
+  Divisors<Real> by;
   for (int c = 0; c < 3; ++c) {
-    inverse[c] = Real(1.0) / std::max<Real>(length[c], Real(kShortestSide * rest[c]));
+    const Real least = Real(kBluntSide * rest[c]);
+    if (length[c] < least) {
+      const Real part = length[c] / least;
+      by.blunt = true;
+      by.inverse[c] = Real(2.0) / (least * (Real(1.0) + part * part));
+      by.slope[c] = part * by.inverse[c];
+      const bool directed = Real(kNoDirection * rest[c]) < length[c];
+      by.direction[c] = directed ? Real(1.0) / length[c] : Real(0.0);
+    } else {
+      by.inverse[c] = by.slope[c] = by.direction[c] = Real(1.0) / length[c];
+    }
   }
-  return inverse;
+  return by;
 }
 
-/// cos_c = (l_i² + l_j² - l_c²) / (2 l_i l_j) at every corner, with i and j the sides beside it,
+/// cos_c = (l_i² + l_j² - l_c²) / (2 l^_i l^_j) at every corner, with i and j the sides beside it,
 /// kept within [-1, 1] where rounding breaks the triangle inequality.
 template <class Real>
 PerSide<Real> compute_cosines(const PerSide<Real>& length, const PerSide<Real>& inverse) noexcept {
@@ -68,25 +89,36 @@ struct AngleRow {
 ///     tau_a = -w_A + w_B cos C + w_C cos B + s_B + s_C
 ///
 /// This is the gradient of the energy in the lengths, because d cos A/d(a,b,c) =
-/// a/(bc) (-1, cos C, cos B).
+/// a/(bc) (-1, cos C, cos B). Where a side is short, d cos A/db is b/(b^ c^) - cos A d ln b^/db:
+///
+///     tau_a = -T_A a/(b^ c^) + T_B (a/(c^ a^) - cos B d ln a^/da)
+///             + T_C (a/(a^ b^) - cos C d ln a^/da) + s_B + s_C,   T = K_theta q + K_btheta (d +
+///             d')
 template <class Real>
 PerSide<Real> compute_angle_tensions(const AngleRow& row, const PerSide<Real>& length,
-                                     const PerSide<Real>& inverse) noexcept {
+                                     const Divisors<Real>& by) noexcept {
+  const PerSide<Real>& inverse = by.inverse;
   const PerSide<Real> cosine = compute_cosines(length, inverse);
-  PerSide<Real> w, s;
+  PerSide<Real> torque, w, s;
   for (int c = 0; c < 3; ++c) {
     const int i = (c + 1) % 3, j = (c + 2) % 3;
     const Real bend = cosine[c] - Real(row.rest_cosine[c]);
     const Real stretch = length[i] + length[j] - Real(row.rest_length[i] + row.rest_length[j]);
     const Real coupling = Real(row.stretch_coupling[c]);
-    const Real torque = Real(row.bend_stiffness[c]) * bend + coupling * stretch;
-    w[c] = torque * length[c] * inverse[i] * inverse[j];
+    torque[c] = Real(row.bend_stiffness[c]) * bend + coupling * stretch;
+    w[c] = torque[c] * length[c] * inverse[i] * inverse[j];
     s[c] = coupling * bend;
   }
   PerSide<Real> tension;
   for (int c = 0; c < 3; ++c) {
     const int i = (c + 1) % 3, j = (c + 2) % 3;
-    tension[c] = w[i] * cosine[j] + w[j] * cosine[i] - w[c] + s[i] + s[j];
+    if (by.blunt) {
+      const Real near = length[c] * inverse[c];
+      tension[c] = torque[i] * (near * inverse[j] - cosine[i] * by.slope[c]) +
+                   torque[j] * (near * inverse[i] - cosine[j] * by.slope[c]) - w[c] + s[i] + s[j];
+    } else {
+      tension[c] = w[i] * cosine[j] + w[j] * cosine[i] - w[c] + s[i] + s[j];
+    }
   }
   return tension;
 }
@@ -95,8 +127,8 @@ PerSide<Real> compute_angle_tensions(const AngleRow& row, const PerSide<Real>& l
 /// closed angle has a larger cosine, so its opposite side pushes and the angle reopens.
 template <class Real>
 PerSide<Real> compute_eq10_tensions(const AngleRow& row, const PerSide<Real>& length,
-                                    const PerSide<Real>& inverse) noexcept {
-  const PerSide<Real> cosine = compute_cosines(length, inverse);
+                                    const Divisors<Real>& by) noexcept {
+  const PerSide<Real> cosine = compute_cosines(length, by.inverse);
   PerSide<Real> tension;
   for (int c = 0; c < 3; ++c) {
     tension[c] = Real(row.bend_stiffness[c]) * (Real(row.rest_cosine[c]) - cosine[c]);

@@ -42,26 +42,31 @@ HWY_INLINE Sides add_others(const Sides& p) {
   return {hn::Add(p.b, p.c), hn::Add(p.c, p.a), hn::Add(p.a, p.b)};
 }
 
-/// The lengths of the sides and what divides by them, as in tensions.h: `inverse` is capped where
-/// a side has collapsed, `direction` is not, but is 0 for a side that has none.
+/// The lengths of the sides and what they divide by: Divisors of tensions.h, lane by lane.
 struct Measured {
-  Sides square, length, inverse, direction;
+  Sides square, length, inverse, slope, direction;
+  hn::Mask<Lanes> blunt;
+  bool any_blunt;
 };
 
-HWY_INLINE void measure_collapsed(const Sides& rest, Measured& m) {
-  const Real least = hn::Set(kLanes, static_cast<float>(kNoDirection));
-  const auto invert = [&](Real length, Real rest_length) HWY_ATTR {
-    const auto directed = hn::Gt(length, hn::Mul(least, rest_length));
-    return hn::IfThenElseZero(directed, hn::Div(hn::Set(kLanes, 1.0f), length));
-  };
-  m.length = {hn::Sqrt(m.square.a), hn::Sqrt(m.square.b), hn::Sqrt(m.square.c)};
-  m.direction = {invert(m.length.a, rest.a), invert(m.length.b, rest.b),
-                 invert(m.length.c, rest.c)};
+/// What a side divides by in lanes in which it is shorter than `least`.
+HWY_INLINE void blunt(Real square, Real rest, Real least, Real& length, Real& inverse, Real& slope,
+                      Real& direction) {
+  const Real one = hn::Set(kLanes, 1.0f), two = hn::Set(kLanes, 2.0f);
+  const Real directed = hn::Mul(hn::Set(kLanes, static_cast<float>(kNoDirection)), rest);
+  const auto is_short = hn::Lt(square, hn::Mul(least, least));
+  const Real root = hn::Sqrt(square), part = hn::Div(root, hn::IfThenElse(is_short, least, one));
+  const Real blunted = hn::Div(two, hn::Mul(least, hn::MulAdd(part, part, one)));
+  length = hn::IfThenElse(is_short, root, length);
+  inverse = hn::IfThenElse(is_short, blunted, inverse);
+  slope = hn::IfThenElse(is_short, hn::Mul(part, blunted), slope);
+  direction = hn::IfThenElse(
+      is_short, hn::IfThenElseZero(hn::Gt(root, directed), hn::Div(one, root)), direction);
 }
 
 HWY_INLINE Measured measure(const Sides& rest, const Points& side_a, const Points& side_b,
                             const Points& side_c) {
-  const Real share = hn::Set(kLanes, static_cast<float>(kShortestSide));
+  const Real share = hn::Set(kLanes, static_cast<float>(kBluntSide));
   const Sides shortest = {hn::Mul(share, rest.a), hn::Mul(share, rest.b), hn::Mul(share, rest.c)};
   const Sides least = shortest * shortest;
   Measured m;
@@ -69,14 +74,19 @@ HWY_INLINE Measured measure(const Sides& rest, const Points& side_a, const Point
   m.inverse = {invert_root(hn::Max(m.square.a, least.a)), invert_root(hn::Max(m.square.b, least.b)),
                invert_root(hn::Max(m.square.c, least.c))};
   m.length = m.square * m.inverse;
-  m.direction = m.inverse;
-  const auto collapsed = hn::Or(hn::Or(hn::Lt(m.square.a, least.a), hn::Lt(m.square.b, least.b)),
-                                hn::Lt(m.square.c, least.c));
-  if (!hn::AllFalse(kLanes, collapsed)) measure_collapsed(rest, m);
+  m.slope = m.direction = m.inverse;
+  m.blunt = hn::Or(hn::Or(hn::Lt(m.square.a, least.a), hn::Lt(m.square.b, least.b)),
+                   hn::Lt(m.square.c, least.c));
+  m.any_blunt = !hn::AllFalse(kLanes, m.blunt);
+  if (m.any_blunt) {
+    blunt(m.square.a, rest.a, shortest.a, m.length.a, m.inverse.a, m.slope.a, m.direction.a);
+    blunt(m.square.b, rest.b, shortest.b, m.length.b, m.inverse.b, m.slope.b, m.direction.b);
+    blunt(m.square.c, rest.c, shortest.c, m.length.c, m.inverse.c, m.slope.c, m.direction.c);
+  }
   return m;
 }
 
-/// cos_a = (b² + c² - a²) / (2 b c) and cyclic, within [-1, 1].
+/// cos_a = (b² + c² - a²) / (2 b^ c^) and cyclic, within [-1, 1].
 HWY_INLINE Sides compute_cosines(const Measured& m, const Sides& inverse_others) {
   const Real one = hn::Set(kLanes, 1.0f), half = hn::Set(kLanes, 0.5f);
   const Real sum = hn::Mul(half, hn::Add(hn::Add(m.square.a, m.square.b), m.square.c));
@@ -118,9 +128,26 @@ HWY_INLINE Sides compute_tensions(const PackedTriangles& triangles, std::size_t 
   const auto pull = [](Real s_a, Real w_a, Real w_b, Real w_c, Real cos_b, Real cos_c) HWY_ATTR {
     return hn::MulAdd(w_b, cos_c, hn::MulAdd(w_c, cos_b, hn::Sub(s_a, w_a)));
   };
-  return {pull(s.a, w.a, w.b, w.c, cosine.b, cosine.c),
-          pull(s.b, w.b, w.c, w.a, cosine.c, cosine.a),
-          pull(s.c, w.c, w.a, w.b, cosine.a, cosine.b)};
+  Sides tension = {pull(s.a, w.a, w.b, w.c, cosine.b, cosine.c),
+                   pull(s.b, w.b, w.c, w.a, cosine.c, cosine.a),
+                   pull(s.c, w.c, w.a, w.b, cosine.a, cosine.b)};
+  if (m.any_blunt) {
+    const Sides near = m.length * m.inverse;
+    const auto turn = [](Real torque, Real near_side, Real inverse, Real cos, Real slope) HWY_ATTR {
+      return hn::Mul(torque, hn::NegMulAdd(cos, slope, hn::Mul(near_side, inverse)));
+    };
+    const auto pull_blunt = [&](Real now, Real s_a, Real w_a, Real by_b, Real by_c) HWY_ATTR {
+      return hn::IfThenElse(m.blunt, hn::Add(hn::Add(by_b, by_c), hn::Sub(s_a, w_a)), now);
+    };
+    tension = {
+        pull_blunt(tension.a, s.a, w.a, turn(torque.b, near.a, m.inverse.c, cosine.b, m.slope.a),
+                   turn(torque.c, near.a, m.inverse.b, cosine.c, m.slope.a)),
+        pull_blunt(tension.b, s.b, w.b, turn(torque.c, near.b, m.inverse.a, cosine.c, m.slope.b),
+                   turn(torque.a, near.b, m.inverse.c, cosine.a, m.slope.b)),
+        pull_blunt(tension.c, s.c, w.c, turn(torque.a, near.c, m.inverse.b, cosine.a, m.slope.c),
+                   turn(torque.b, near.c, m.inverse.a, cosine.b, m.slope.c))};
+  }
+  return tension;
 }
 
 /// Bonds k (l - L)² / 2, angles and stretch-bend (K q / 2 + K_t (d + d')) q.
@@ -197,7 +224,7 @@ HWY_INLINE void accumulate_pack(const PackedTriangles& triangles, std::size_t pa
   const Bent bent = compute_bend(triangles, pack, m);
   if constexpr (measured) measure_pack<law>(triangles, pack, rest, m, bent, stretch, sums);
   const Sides tension = compute_tensions<law>(triangles, pack, m, bent, stretch);
-  const Sides scale = multiply_add(tension, m.inverse, bond * m.direction);
+  const Sides scale = multiply_add(tension, m.direction, bond * m.direction);
   Pulls pull = {scale.a * side_a, scale.b * side_b, scale.c * side_c};
   if constexpr (damping != Damping::none) {
     add_damping<damping>(triangles, pack, velocity_rows, side_a, side_b, side_c, m, pull);
