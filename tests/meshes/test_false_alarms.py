@@ -56,10 +56,14 @@ def test_a_hand_that_presses_on_an_open_border_ends_no_run(name, number):
     assert press(scene, find_scattered_place(scene, number), DEEP, FAST).alarm == NONE
 
 
-STRAINED = {"stomach": {11: "collapsed"}}
-"""Ends that are no false alarms: half a millimetre from what is fixed the ball slides off with all
-of the hand's 5 N, and the wall snaps through and folds upon its edge, however slowly it is pressed
-(core/STABILITY.md)."""
+@pytest.mark.landing
+@pytest.mark.parametrize("speed", [0.03, FAST])
+def test_a_wall_that_folds_upon_its_fixed_edge_ends_no_run(speed):
+    # half a millimetre from what is fixed: the ball slides off with all of the hand's 5 N, and the
+    # wall snaps through; triangles that were pressed flat were drawn shut by their stretch-bend
+    scene = open_organ_scene("stomach")
+
+    assert press(scene, find_scattered_place(scene, 11), DEEP, speed).alarm == NONE
 
 
 @pytest.mark.verify
@@ -72,7 +76,7 @@ def test_it_ends_none_at_forty_places_either(name):
     ends = {k: press(scene, place, DEEP, FAST).alarm for k, place in reached.items()}
 
     assert len(ends) >= 20
-    assert {k: end.name for k, end in ends.items() if end != NONE} == STRAINED.get(name, {})
+    assert {k: end.name for k, end in ends.items() if end != NONE} == {}
 
 
 def step_at(scene: palpate.Scene, share: float) -> palpate.Scene:

@@ -123,6 +123,18 @@ def test_a_hand_that_jerks_an_organ_away_ends_no_run(name, speed):
 
 @pytest.mark.landing
 @pytest.mark.parametrize(
+    ("name", "number", "speed"), [("kidney", 1, 3.0), ("kidney", 3, 3.0), ("stomach", 6, 1.0)]
+)
+def test_the_jerks_that_have_ended_a_run_end_none(name, number, speed):
+    scene = open_organ_scene(name)
+
+    felt = pull(scene, find_scattered_place(scene, number), height=0.15, hold=0.1, speed=speed)
+
+    assert felt.alarm == NONE
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize(
     "name",
     [
         "stomach",
