@@ -13,7 +13,14 @@ from pathlib import Path
 import pytest
 from palpate.runs.press import find_top
 from palpate.runs.run import read_scene
-from palpate.study.multirate import FULL, MODES, HandWay, draw_rows
+from palpate.study.multirate import (
+    FULL,
+    MODES,
+    WEAK,
+    HandWay,
+    draw_rows,
+    find_weak_spring,
+)
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
 CHARTS = MESHES / "charts" / "multirate"
@@ -39,7 +46,7 @@ def test_a_chart_is_of_the_scene_that_ships(name):
     assert content["format"] == "palpate multirate"
     assert content["scene"] == scene.name
     assert content["scene_sha256"] == hashlib.sha256(scene.read_bytes()).hexdigest()
-    assert {(FULL, 1000)} < set(read_rows(name))
+    assert {(FULL, 1000), (WEAK, 1000)} < set(read_rows(name))
     for mode in MODES:
         drawn = {rate for kind, rate in read_rows(name) if kind == mode}
         assert drawn >= {30, 59, 100, 250, 500, 1000}
@@ -60,6 +67,18 @@ def test_only_the_local_stiffness_is_passive_at_every_rate_and_jumps_no_more_tha
                 assert row["rms"] < TARGET
     assert rows["hold", 30]["margin"] < -0.4
     assert rows["hold", 30]["jump"] > 20.0 * full["jump"]
+
+
+@pytest.mark.parametrize(("name", "tissue"), [("gallbladder", 49.0), ("spleen", 58.0)])
+def test_a_device_that_bears_less_misses_less_than_behind_what_is_always_passive(name, tissue):
+    # behind the spring of 9 K nine tenths of a tissue are felt, behind P alone P/(P + K)
+    rows, (passive, _) = read_rows(name), find_weak_spring(1000.0)
+    full, weak = rows[FULL, 1000], rows[WEAK, 1000]
+
+    assert 0.0 < weak["rms"] < tissue / (passive + tissue)
+    assert weak["jump"] <= max(10e-3, 2.0 * full["jump"])
+    # a device of that damping takes up a tenth of what the hand puts in, which none of this counts
+    assert weak["margin"] > -0.02
 
 
 def test_up_to_60_hz_it_is_better_than_both_also_of_a_curved_wall():

@@ -22,6 +22,12 @@ RATES = (30.0, 60.0, 100.0, 250.0, 500.0, 1000.0)
 MODES = ("hold", "extrapolation", "local_stiffness")
 """Of LocalForceMode; beside them the full rate."""
 FULL = "full_rate"
+WEAK = "weak_device"
+"""The tissue at full rate, felt through a device that bears less of a spring than the instrument
+has."""
+WEAK_DAMPING, WEAK_DELAY = 0.19, 2.2e-3
+"""[N s/m], [s] What the low-cost arm declares at its tip where it starts [stability: weak
+coupling]."""
 PHASES = {"press": (0.0, 0.6), "slip": (0.6, 1.1), "release": (1.1, 1.6)}
 """[s] of the way of the hand."""
 PRESS_TIME, TREMOR, TREMOR_RATE = 0.5, 2.5e-4, 8.0
@@ -64,7 +70,7 @@ class MultirateRow:
     """What one way of bridging gave at one rate of the tissue, beside the full rate."""
 
     mode: str
-    """One of MODES, or FULL."""
+    """One of MODES, FULL or WEAK."""
     rate: float
     """[Hz] of the exchanges."""
     rms: float
@@ -131,6 +137,26 @@ def feel_in_full(
     forces = np.array([palpate.tick(scene, sample, dt, world).force for sample in samples])
     if world.alarm:
         raise RuntimeError(f"the tissue at full rate raised an alarm: {world.alarm}")
+    return forces
+
+
+def find_weak_spring(rate: float) -> tuple[float, float]:
+    """[N/m] Up to which a spring is passive with the weak device, and [s] by which a force is
+    late, at that rate of ticks [Hz]."""
+    delay = 0.5 / rate + WEAK_DELAY
+    return WEAK_DAMPING / delay, delay
+
+
+def feel_weakly(
+    scene: palpate.Scene, samples: Sequence[palpate.HapticSample]
+) -> NDArray[np.float64]:
+    """[N] (ticks, 3) as feel_in_full(), through the weak device. Raises RuntimeError for an
+    alarm."""
+    world, dt = palpate.World(scene), 1.0 / scene.rate
+    world.bound_coupling(0, *find_weak_spring(scene.rate))
+    forces = np.array([palpate.tick(scene, sample, dt, world).force for sample in samples])
+    if world.alarm:
+        raise RuntimeError(f"the tissue of a weak device raised an alarm: {world.alarm}")
     return forces
 
 
@@ -206,10 +232,12 @@ def draw_rows(
     rates: Sequence[float] = RATES,
     told: Callable[[MultirateRow], None] = lambda row: None,
 ) -> Iterator[MultirateRow]:
-    """The full rate first, then every mode at every rate [Hz]. Raises RuntimeError for an alarm."""
+    """The full rate first, through a weak device next, then every mode at every rate [Hz]. Raises
+    RuntimeError for an alarm."""
     samples = list_samples(way, scene.rate)
     full = feel_in_full(scene, samples)
     yield compare(FULL, 1, scene, samples, full, full)
+    yield compare(WEAK, 1, scene, samples, feel_weakly(scene, samples), full)
     for mode in MODES:
         for ticks in list_ticks(scene.rate, rates):
             felt = feel_slowly(scene, samples, ticks, mode)

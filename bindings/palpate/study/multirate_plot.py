@@ -14,7 +14,15 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullForma
 from palpate.files.whole_file import write_whole
 from palpate.render.force_plot import DPI, RUN_COLOURS, dress, write_key
 from palpate.render.theme import THEMES
-from palpate.study.multirate import FULL, MODES, RATES, MultirateChart, MultirateRow
+from palpate.study.multirate import (
+    FULL,
+    MODES,
+    RATES,
+    WEAK,
+    MultirateChart,
+    MultirateRow,
+    find_weak_spring,
+)
 
 SIZE = (1280, 900)
 """[px]"""
@@ -65,6 +73,18 @@ def save_multirate_plot(path: Path, chart: MultirateChart) -> None:
         dress(axes, theme)
     for axes in (jump, margin):
         axes.set_xlabel("exchanges with the tissue [Hz]")
+    weak = next((row for row in chart.rows if row.mode == WEAK), None)
+    if weak is not None:
+        passive, _ = find_weak_spring(weak.rate)
+        values = {rms: weak.rms, largest: weak.largest, margin: weak.margin, jump: 10 * weak.jump}
+        for axes, value in values.items():
+            axes.axhline(
+                100 * value,
+                color=RUN_COLOURS["light"][3],
+                linewidth=1.4,
+                linestyle=(0, (6, 2, 1, 2)),
+                label=f"at full rate, a device that bears {passive:.0f} N/m",
+            )
     write_key(rms, theme, ncols=1)
     figure.suptitle(
         f"A slow tissue under a fast hand: {chart.scene}, {1e3 * chart.depth:g} mm pressed, "
