@@ -77,6 +77,7 @@ SYSTEM = {
     "core/sim/session/": ("openssl/", "zlib.h", *POSIX),
     "core/sim/packed/": ("hwy/",),
     "core/sim/contact/contact_lanes": ("hwy/",),
+    "core/sim/contact/private/capsule_lanes": ("hwy/",),
     "core/sim/tree/private/four-inl.h": ("hwy/",),
     "core/sim/tree/private/tree_kernels.cpp": ("hwy/",),
 }

@@ -3,6 +3,7 @@
 
 #include "palpate/sim/base/private/vector_targets.h"
 #include "palpate/sim/contact/find_candidates.h"
+#include "palpate/sim/contact/private/capsule_slices.h"
 
 #ifdef PALPATE_SIMD
 
@@ -50,6 +51,14 @@ void choose_target(std::string_view target, ContactLanes& lanes) {
 }
 
 }  // namespace
+
+std::int64_t find_target(const ContactLanes& lanes) noexcept {
+  for (const Entry& entry : kEntries) {
+    if (lanes.find != nullptr && lanes.find == entry.find) return entry.target;
+  }
+  return 0;
+}
+
 }  // namespace palpate
 #endif
 
@@ -61,6 +70,9 @@ namespace {
 void choose_target(std::string_view, ContactLanes&) {}
 
 }  // namespace
+
+std::int64_t find_target(const ContactLanes&) noexcept { return 0; }
+
 }  // namespace palpate
 
 #endif

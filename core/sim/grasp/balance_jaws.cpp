@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "palpate/sim/base/private/limit.h"
 #include "palpate/sim/contact/private/broad_phase.h"
@@ -14,7 +15,8 @@ namespace palpate {
 namespace {
 
 constexpr int kNewtonSteps = 3;
-constexpr int kNewtonStepsNear = 6;  // as of a tool without jaws (balance_tool.cpp)
+constexpr int kNewtonStepsAtLimit = 6;  // as of a tool without jaws (balance_tool.cpp)
+constexpr int kNewtonStepsNear = 4;     // each has a footprint of all that either jaw touches
 
 // part of the radius that steps keep an axis off the surface
 constexpr double kClearance = 1e-3;
@@ -50,6 +52,43 @@ Drive find_drive(const JawSurroundings& around, double angle) noexcept {
 struct Step {
   Vec3 move = Vec3::Zero();  // [m]
   double turn = 0.0;         // [rad]
+};
+
+/// What is known of the step before: Newton's matrix leaves out how directions turn and how
+/// contacts fade, which deep in a narrow dent is more than it has, so that its steps go to and fro
+/// between two places. Two of them tell how it errs along the way between: of the steps g as a
+/// function of the place x,
+///
+///     dx = g_k - c (dx_before + dg),   c = dg . g_k/|dg|²,   dg = g_k - g_before
+///
+/// is where the line through both is nearest to 0 (Anderson's acceleration, of depth one).
+class Memory {
+ public:
+  explicit Memory(double reach) noexcept : reach_(reach) {}
+
+  Step improve(const Step& step) noexcept {
+    const Step before = std::exchange(step_, step);
+    if (!std::exchange(known_, true)) return step;
+    const Step change{step.move - before.move, step.turn - before.turn};
+    const double size = dot(change, change);
+    if (!(size > kLeastChange * dot(step, step))) return step;
+    const double part = std::clamp(dot(change, step) / size, -kMostPart, kMostPart);
+    return {step.move - part * (taken_.move + change.move),
+            step.turn - part * (taken_.turn + change.turn)};
+  }
+
+  void take(const Step& step) noexcept { taken_ = step; }
+
+ private:
+  static constexpr double kLeastChange = 0.01, kMostPart = 1.0;
+
+  double dot(const Step& a, const Step& b) const noexcept {
+    return a.move.dot(b.move) + reach_ * reach_ * a.turn * b.turn;
+  }
+
+  double reach_;
+  bool known_ = false;
+  Step step_, taken_;
 };
 
 /// The part of a step that may be taken, as of a tool without jaws: none goes more than half the
@@ -123,9 +162,10 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
             JawPlace& place) noexcept {
   const JawPlace start = place;
   const Candidates& path = *around.surfaces[0].front().candidates;
-  for (int i = 0; i < kNewtonStepsNear; ++i) {
+  Memory memory(around.reach);
+  for (int i = 0; i < kNewtonStepsAtLimit; ++i) {
     // one at its limit that has lost the surface goes far beyond it first
-    const bool last = i == kNewtonSteps && !soft;
+    const bool last = i == (soft ? kNewtonStepsNear : kNewtonSteps);
     if (last && !is_at_limit(around.coupling, around.hand - place.position)) break;
     follow_sides(around, place);
     const JawTouch touch = compute_touch(around, place);
@@ -136,6 +176,10 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
               angle - place.jaws.angle()};
     } else {
       step = find_step(around, anchors, start, place, touch);
+      const bool at_limit = is_at_limit(around.coupling, around.hand - place.position);
+      if (soft && !at_limit) step = memory.improve(step);
+      const double angle = place.jaws.angle();
+      step.turn = std::clamp(angle + step.turn, place.least, place.most) - angle;
     }
     step = shorten(around, place, touch, step);
     // the other half of the margin is for jaws that turn
@@ -144,6 +188,7 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
     if (short_step && touch.touches) break;
     const bool arrives = step.move == around.hand - place.position;
     place.position = arrives ? around.hand : Vec3(place.position + step.move);
+    memory.take(step);
     turn_to(around, place.jaws.angle() + step.turn, place);
   }
 }

@@ -4,11 +4,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "core/tree/soups.h"
+#include "palpate/sim/contact/private/capsule_slices.h"
 #include "palpate/sim/contact/private/footprint.h"
 #include "palpate/sim/contact/private/local_press.h"
 #include "palpate/sim/mesh/mesh.h"
+#include "palpate/sim/packed/simd_targets.h"
+#include "skip.h"
 
 using namespace palpate;
 
@@ -107,6 +111,38 @@ TEST_CASE("a capsule that is pressed a little is pressed evenly along: E* d / sq
   const double a_length = (part.normal_force + other.normal_force) / 0.004;
   CHECK(a_length == doctest::Approx(kModulus * kDepth / std::numbers::sqrt2).epsilon(0.02));
   CHECK(part.axis.x() + other.axis.x() == doctest::Approx(0.004).epsilon(1e-3));
+}
+
+TEST_CASE("vector code sums the slices of a capsule's footprint as the plain code does") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
+  for (const std::string& target : simd_targets()) {
+    CAPTURE(target);
+    const SumSlices sum = find_slice_sums(ContactLanes(8, target, 1));
+    REQUIRE((sum != nullptr));
+    Dice dice(97);
+    int touched = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const Vec3 from = dice.vector(0.002), to = k % 9 == 0 ? from : Vec3(dice.vector(0.008));
+      const Vec3 a = dice.vector(0.004), b = dice.vector(0.004), c = dice.vector(0.004);
+      Footprint plain, vector;
+      const bool found = integrate_capsule_footprint(make_law(), from, to, a, b, c, plain);
+      if (plain.normal_force < 1e-9) continue;
+      REQUIRE(found ==
+              integrate_capsule_footprint(make_law(), from, to, a, b, c, vector, true, sum));
+      ++touched;
+      const double scale = plain.normal_force;
+      CHECK((vector.force - plain.force).norm() < 1e-9 * scale);
+      CHECK(vector.normal_force == doctest::Approx(scale).epsilon(1e-9));
+      CHECK(vector.whole_force == doctest::Approx(plain.whole_force).epsilon(1e-9));
+      CHECK(vector.stiffness == doctest::Approx(plain.stiffness).epsilon(1e-9));
+      CHECK(vector.area == doctest::Approx(plain.area).epsilon(1e-9));
+      CHECK((vector.weights - plain.weights).norm() < 1e-7);
+      CHECK((vector.axis - plain.axis).norm() < 1e-9);
+      CHECK(vector.spread == doctest::Approx(plain.spread).epsilon(1e-6));
+    }
+    CHECK(touched > 200);
+  }
+  CHECK((find_slice_sums(ContactLanes()) == nullptr));
 }
 
 /// F/(E* R²) of a rigid, frictionless capsule on a half space, by boundary elements: squares of

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "palpate/sim/grasp/private/jaws.h"
+#include "palpate/sim/model/tissue_model.h"
 #include "scenes/grasped.h"
 
 // The geometry of jaws, the layer between them and their anchors [contact: jaws].
@@ -69,6 +73,61 @@ TEST_CASE("the layer between two jaws resists as it is pressed, and not where on
   const std::array wall{press_evenly(1.0, 1e5, 0.003), press_evenly(1.0, 1e5, 0.003)};
   const OpenJaws at(tool, kTurned, std::asin(0.0015 / (2.0 * s)));
   CHECK(find_squeeze(tool, at, wall).force == doctest::Approx(1e5 * area));
+}
+
+TEST_CASE("on a skin jaws add what they hang on the particles under it") {
+  const Tool tool = scenes::make_grasper(0.5, 5.0);
+  // two tetrahedra with one face in common; a skin of four vertices, one of them beside its own
+  TissueModel tissue;
+  tissue.mass = {1e-4, 3e-4, 2e-4, 5e-4, 4e-4};
+  tissue.skin.corners = {{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3, 4}};
+  tissue.skin.weights = {
+      {1.0, 0.0, 0.0, 0.0}, {0.3, 0.3, 0.4, 0.0}, {0.2, 0.5, 0.2, 0.1}, {-0.2, 0.5, 0.4, 0.3}};
+  tissue.triangles = {{0, 1, 2}, {1, 3, 2}};
+  Candidates none;
+  const std::array<TouchedSurface, 1> surface{{{&none, tissue.triangles, {}, nullptr}}};
+  const JawSurfaces surfaces{surface, surface};
+  ToolState state(0, 0, 2);
+  std::vector<double> scratch(tissue.mass.size(), 0.0);
+  const auto bound = [&] { return bound_jaws_on_skin(tool, surfaces, 0, tissue, state, scratch); };
+  CHECK(bound() == 0.0);
+
+  // by hand: all of 200 N/m on the particle of 0.1 g
+  state.anchor_count = 1;
+  state.anchors[0].triangle = 0;
+  state.anchors[0].weights = {1.0, 0.0, 0.0};
+  state.anchors[0].stiffness = 200.0;
+  CHECK(bound() == doctest::Approx(200.0 / 1e-4));
+
+  // no less than the largest eigenvalue of M⁻¹K
+  state.anchor_count = 2;
+  state.anchors[0].weights = {0.2, 0.3, 0.5};
+  state.anchors[1] = state.anchors[0];
+  state.anchors[1].jaw = 1;
+  state.anchors[1].triangle = 1;
+  state.anchors[1].weights = {0.1, 0.8, 0.1};
+  state.anchors[1].stiffness = 500.0;
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(5, 5);
+  for (int a = 0; a < 2; ++a) {
+    const ToolState::Anchor& anchor = state.anchors[std::size_t(a)];
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(5);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto v = std::size_t(tissue.triangles[std::size_t(anchor.triangle)][c]);
+      for (std::size_t n = 0; n < 4; ++n) {
+        row[tissue.skin.corners[v][n]] += anchor.weights[int(c)] * tissue.skin.weights[v][n];
+      }
+    }
+    k += anchor.stiffness * row * row.transpose();
+  }
+  for (int i = 0; i < 5; ++i) {
+    for (int j = 0; j < 5; ++j) {
+      k(i, j) /= std::sqrt(tissue.mass[std::size_t(i)] * tissue.mass[std::size_t(j)]);
+    }
+  }
+  const double exact = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues().maxCoeff();
+  CHECK(bound() >= exact);
+  CHECK(bound() <= 4.0 * exact);
+  CHECK(std::ranges::all_of(scratch, [](double sum) { return sum == 0.0; }));
 }
 
 TEST_CASE("an anchor pulls as a spring, slips at mu N, and goes with what presses it") {

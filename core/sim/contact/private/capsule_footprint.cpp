@@ -5,90 +5,72 @@
 #include <limits>
 #include <utility>
 
+#include "palpate/sim/contact/private/capsule_slices.h"
 #include "palpate/sim/contact/private/footprint.h"
 
 namespace palpate {
 namespace {
 
-/// Gauss and Legendre on 0 to 1: three points along the axis, four across it.
-constexpr std::array<double, 3> kNodes = {0.1127016653792583, 0.5, 0.8872983346207417};
-constexpr std::array<double, 3> kWeights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-constexpr std::array<double, 4> kFineNodes = {0.0694318442029737, 0.3300094782075719,
-                                              0.6699905217924281, 0.9305681557970263};
-constexpr std::array<double, 4> kFineWeights = {0.1739274225687269, 0.3260725774312731,
-                                                0.3260725774312731, 0.1739274225687269};
-
-/// Cosine below which an axis has no direction along a plane.
-constexpr double kUpright = 1e-9;
+/// A footprint with less than that part of E* R² is none.
+constexpr double kLeastPart = 1e-12;
 
 double square(double x) noexcept { return x * x; }
 
-/// The part of a capsule's axis that lies above a plane and within a radius of it: seen from the
-/// plane, where s goes along it from the foot of the axis' start, and y beside it.
-struct Strip {
-  const NearPressure& law;
-  double flat = 1.0, rise = 0.0;   // of the unit vector along the axis: along the plane, off it
-  double height = 0.0;             // [m] of its start, which is the lower end
-  double first = 0.0, last = 0.0;  // [m] along the axis
-
-  double height_at(double along) const noexcept { return height + along * rise; }
-
-  /// What of the axis is the nearest to the plane's point (s, y) straight up, where the capsule's
-  /// lower side is the lowest: `beyond` it lies along the plane.
-  struct Column {
-    double along = 0.0, beyond = 0.0, above = 0.0, overlap = 0.0;  // [m]
-  };
-
-  Column find(double s, double y) const noexcept {
-    const double squared_half = square(law.radius) - square(y);
-    const double half = std::sqrt(std::max(0.0, squared_half));
-    Column column;
-    column.along = flat > kUpright ? std::clamp((s - rise * half) / flat, first, last) : first;
-    column.beyond = s - column.along * flat;
-    column.above = std::sqrt(std::max(0.0, squared_half - square(column.beyond)));
-    column.overlap = column.above - height_at(column.along);
-    return column;
-  }
-
-  /// [m] How far the footprint goes to either side at s.
-  double half_width(double s) const noexcept {
-    const double along = std::clamp(s * flat - height * rise, first, last);
-    const double squared = square(s - along * flat) + square(height_at(along));
-    return std::sqrt(std::max(0.0, square(law.radius) - squared));
-  }
-
-  /// [m] Where the footprint ends.
-  double begin() const noexcept {
-    return first * flat - std::sqrt(std::max(0.0, square(law.radius) - square(height_at(first))));
-  }
-  double end() const noexcept {
-    const double at =
-        rise > 0.0 ? std::clamp((law.radius * flat - height) / rise, first, last) : last;
-    return at * flat + std::sqrt(std::max(0.0, square(law.radius) - square(height_at(at))));
-  }
+/// What of the axis is the nearest to the plane's point (s, y) straight up, where the capsule's
+/// lower side is the lowest: `beyond` it lies along the plane.
+struct Column {
+  double along = 0.0, beyond = 0.0, above = 0.0, overlap = 0.0;  // [m]
 };
 
-/// Sums over the footprint, in the plane.
-struct Sums {
-  double force = 0.0, stiffness = 0.0, area = 0.0;
-  double along_plane = 0.0, beside = 0.0;  // moments of the pressure
-  double aside_along = 0.0, aside = 0.0;   // what goes sideways with the slope of the capsule
-  double along_axis = 0.0, squared = 0.0;  // moments of the places on the axis
-};
+Column find_column(const Strip& strip, double s, double y) noexcept {
+  const double squared_half = square(strip.law.radius) - square(y);
+  const double half = std::sqrt(std::max(0.0, squared_half));
+  Column column;
+  column.along = strip.flat > kUpright
+                     ? std::clamp((s - strip.rise * half) / strip.flat, strip.first, strip.last)
+                     : strip.first;
+  column.beyond = s - column.along * strip.flat;
+  column.above = std::sqrt(std::max(0.0, squared_half - square(column.beyond)));
+  column.overlap = column.above - strip.height_at(column.along);
+  return column;
+}
+
+/// [m] How far the footprint goes to either side at s.
+double find_half_width(const Strip& strip, double s) noexcept {
+  const double along =
+      std::clamp(s * strip.flat - strip.height * strip.rise, strip.first, strip.last);
+  const double squared = square(s - along * strip.flat) + square(strip.height_at(along));
+  return std::sqrt(std::max(0.0, square(strip.law.radius) - squared));
+}
+
+/// [m] Where the footprint begins and ends.
+double find_begin(const Strip& strip) noexcept {
+  const double squared = square(strip.law.radius) - square(strip.height_at(strip.first));
+  return strip.first * strip.flat - std::sqrt(std::max(0.0, squared));
+}
+
+double find_end(const Strip& strip) noexcept {
+  const double at = strip.rise > 0.0
+                        ? std::clamp((strip.law.radius * strip.flat - strip.height) / strip.rise,
+                                     strip.first, strip.last)
+                        : strip.last;
+  const double squared = square(strip.law.radius) - square(strip.height_at(at));
+  return at * strip.flat + std::sqrt(std::max(0.0, squared));
+}
 
 /// A slice across the axis at s, from y0 to y1. With y = half sin(angle) the pressure, which goes
 /// as the root of the distance to the rim, is smooth in the angle.
 void add_slice(const Strip& strip, double s, double width, double y0, double y1,
-               Sums& sums) noexcept {
-  const double half = strip.half_width(s);
+               SliceSums& sums) noexcept {
+  const double half = find_half_width(strip, s);
   if (!(half > 0.0)) return;
   const double from = std::asin(std::clamp(y0 / half, -1.0, 1.0));
   const double to = std::asin(std::clamp(y1 / half, -1.0, 1.0));
   if (!(to > from)) return;
-  for (std::size_t i = 0; i < kFineNodes.size(); ++i) {
-    const double angle = from + kFineNodes[i] * (to - from), y = half * std::sin(angle);
-    const double part = width * kFineWeights[i] * (to - from) * half * std::cos(angle);
-    const Strip::Column column = strip.find(s, y);
+  for (std::size_t i = 0; i < kAcrossNodes.size(); ++i) {
+    const double angle = from + kAcrossNodes[i] * (to - from), y = half * std::sin(angle);
+    const double part = width * kAcrossWeights[i] * (to - from) * half * std::cos(angle);
+    const Column column = find_column(strip, s, y);
     const double p = part * strip.law.pressure(column.overlap);
     sums.area += part;
     sums.force += p;
@@ -103,9 +85,6 @@ void add_slice(const Strip& strip, double s, double width, double y0, double y1,
     sums.squared += p * square(column.along);
   }
 }
-
-/// A triangle in the plane: s and y of its corners.
-using Corners = std::array<std::array<double, 2>, 3>;
 
 /// The part of a line across the axis at s that lies inside the triangle; empty where none does.
 std::pair<double, double> find_chord(const Corners& corners, double s) noexcept {
@@ -122,30 +101,38 @@ std::pair<double, double> find_chord(const Corners& corners, double s) noexcept 
 
 /// Slices between the places where the integral over one has a kink: corners, and the ends of the
 /// axis.
-template <class Chord>
-void add_slices(const Strip& strip, std::array<double, 5> kinks, double begin, double end,
-                Chord chord, Sums& sums) noexcept {
+Slices list_slices(std::array<double, 5> kinks, double begin, double end) noexcept {
   std::sort(kinks.begin(), kinks.end());
+  Slices slices;
   double from = begin;
   for (std::size_t k = 0; k <= kinks.size(); ++k) {
     const double to = k < kinks.size() ? std::clamp(kinks[k], from, end) : end;
-    for (std::size_t i = 0; to > from && i < kNodes.size(); ++i) {
-      const double s = from + kNodes[i] * (to - from);
-      const auto [low, high] = chord(s);
-      if (high > low) add_slice(strip, s, kWeights[i] * (to - from), low, high, sums);
+    for (std::size_t i = 0; to > from && i < kSliceNodes.size(); ++i) {
+      slices.at[slices.count] = from + kSliceNodes[i] * (to - from);
+      slices.width[slices.count++] = kSliceWeights[i] * (to - from);
     }
     from = to;
   }
+  return slices;
 }
 
-/// [N] What the pressures on the plane would be without an end of the triangle.
-double integrate_whole(const Strip& strip) noexcept {
-  Sums sums;
+void sum_slices(const Strip& strip, const Corners& corners, Slices& slices,
+                SliceSums& sums) noexcept {
+  for (std::size_t k = 0; k < slices.count; ++k) {
+    const auto [low, high] = find_chord(corners, slices.at[k]);
+    if (high > low) add_slice(strip, slices.at[k], slices.width[k], low, high, sums);
+  }
+}
+
+/// [N] What the pressures on the plane would be without an end of the triangle: of one that is far
+/// wider than the footprint.
+double integrate_whole(const Strip& strip, SumSlices sum) noexcept {
   const double start = strip.first * strip.flat, stop = strip.last * strip.flat;
-  const double beyond = 2.0 * strip.law.radius;
-  add_slices(
-      strip, {start, start, start, stop, stop}, strip.begin(), strip.end(),
-      [&](double) noexcept { return std::pair(-beyond, beyond); }, sums);
+  const double far = 100.0 * (strip.law.radius + strip.last);
+  Slices slices =
+      list_slices({start, start, start, stop, stop}, find_begin(strip), find_end(strip));
+  SliceSums sums;
+  sum(strip, {{{-far, -far}, {far, -far}, {0.0, far}}}, slices, sums);
   return sums.force;
 }
 
@@ -155,8 +142,9 @@ double integrate_whole(const Strip& strip) noexcept {
 /// of the ball about the point of the axis where it is lowest, and presses along the plane's normal
 /// and, with its slope, aside, as a ball does [contact: capsules].
 bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, const Vec3& to,
-                                 const Vec3& a, const Vec3& b, const Vec3& c,
-                                 Footprint& footprint) noexcept {
+                                 const Vec3& a, const Vec3& b, const Vec3& c, Footprint& footprint,
+                                 bool whole, SumSlices sum) noexcept {
+  if (sum == nullptr) sum = sum_slices;
   const Vec3 across = (b - a).cross(c - a);
   const double twice_area = across.norm();
   if (!(twice_area > 0.0)) return false;
@@ -190,18 +178,17 @@ bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, cons
     begin = std::min(begin, corners[k][0]);
     end = std::max(end, corners[k][0]);
   }
-  begin = std::max(begin, strip.begin());
-  end = std::min(end, strip.end());
+  begin = std::max(begin, find_begin(strip));
+  end = std::min(end, find_end(strip));
   if (!(end > begin)) return false;
-  Sums sums;
-  add_slices(
-      strip,
-      {corners[0][0], corners[1][0], corners[2][0], strip.first * strip.flat,
-       strip.last * strip.flat},
-      begin, end, [&](double s) noexcept { return find_chord(corners, s); }, sums);
-  if (!(sums.force > 0.0)) return false;
-  const double whole = integrate_whole(strip);
-  if (!(sums.force > 1e-9 * whole)) return false;
+  Slices slices = list_slices({corners[0][0], corners[1][0], corners[2][0],
+                               strip.first * strip.flat, strip.last * strip.flat},
+                              begin, end);
+  SliceSums sums;
+  sum(strip, corners, slices, sums);
+  // less is rounding, and its middle would be anywhere
+  if (!(sums.force > kLeastPart * law.modulus * square(law.radius))) return false;
+  const double on_plane = whole ? integrate_whole(strip, sum) : 0.0;
 
   const double one = 1.0 / sums.force;
   const Vec3 y = foot + one * (sums.along_plane * along + sums.beside * beside) - a;
@@ -210,7 +197,7 @@ bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, cons
   const Vec3 middle = Vec3(1.0 - v - w, v, w).cwiseMax(0.0);
   const double at = sums.along_axis * one;
   footprint.normal_force = sums.force;
-  footprint.whole_force = std::max(whole, sums.force);
+  footprint.whole_force = std::max(on_plane, sums.force);
   footprint.area = sums.area;
   footprint.normal = normal;
   footprint.force = sums.force * normal - sums.aside_along * along - sums.aside * beside;

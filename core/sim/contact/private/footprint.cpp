@@ -13,9 +13,6 @@ namespace {
 constexpr std::array<double, 3> kNodes = {0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr std::array<double, 3> kWeights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
 
-/// Of the large-depth law, fitted to neo-Hookean solutions [contact: near field].
-constexpr double kFirst = 0.548, kSecond = 0.055;
-
 /// Sums along a ray from the circle's centre to the distance rho, over r dr / rho²; the moment over
 /// r² dr / rho³, what goes sideways with the tangent of the ball's slope.
 struct Ray {
@@ -124,14 +121,15 @@ double NearPressure::pressure(double overlap) const noexcept {
   if (!(overlap > 0.0)) return 0.0;
   const double x = overlap / radius;
   return std::min(stiffness * overlap, modulus * std::numbers::inv_pi * std::sqrt(x) *
-                                           (1.0 + x * (kFirst + x * kSecond)));
+                                           (1.0 + x * (kFirstOfPressure + x * kSecondOfPressure)));
 }
 
 double NearPressure::slope(double overlap) const noexcept {
   if (!(overlap > 0.0)) return 0.0;
   const double x = overlap / radius;
-  return std::min(stiffness, modulus * std::numbers::inv_pi / (radius * std::sqrt(x)) *
-                                 (0.5 + x * (1.5 * kFirst + x * 2.5 * kSecond)));
+  return std::min(stiffness,
+                  modulus * std::numbers::inv_pi / (radius * std::sqrt(x)) *
+                      (0.5 + x * (1.5 * kFirstOfPressure + x * 2.5 * kSecondOfPressure)));
 }
 
 bool integrate_footprint(const NearPressure& law, const Vec3& centre, const Vec3& a, const Vec3& b,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "palpate/sim/contact/tool.h"
 
 namespace palpate {
@@ -19,6 +21,10 @@ struct Footprint {
   Vec3 axis = Vec3::Zero();  ///< [m] the point of a capsule's axis above the pressures, their mean
   double spread = 0.0;       ///< [m²] variance of those points along the axis
 };
+
+/// b1 and b2 of NearPressure, of the large-depth law, fitted to neo-Hookean solutions
+/// [contact: near field].
+inline constexpr double kFirstOfPressure = 0.548, kSecondOfPressure = 0.055;
 
 /// The pressure p [Pa] of a ball of radius R [m] where it overlaps tissue by o [m]:
 ///
@@ -41,10 +47,22 @@ struct NearPressure {
 bool integrate_footprint(const NearPressure& law, const Vec3& centre, const Vec3& a, const Vec3& b,
                          const Vec3& c, Footprint& footprint) noexcept;
 
+struct Strip;
+struct Slices;
+struct SliceSums;
+
+/// A triangle in its plane, along a capsule's axis and beside it [m].
+using Corners = std::array<std::array<double, 2>, 3>;
+
+/// Sums over the slices of a footprint that lie inside the triangle (capsule_slices.h).
+using SumSlices = void (*)(const Strip& strip, const Corners& corners, Slices& slices,
+                           SliceSums& sums) noexcept;
+
 /// The same under a capsule whose axis goes from `from` to `to` [m]: what of it lies above the
-/// plane counts.
+/// plane counts. `sum` is vector code, or null. Without `whole` the force on a whole plane, which
+/// costs as much again, is left at that on the triangle.
 bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, const Vec3& to,
-                                 const Vec3& a, const Vec3& b, const Vec3& c,
-                                 Footprint& footprint) noexcept;
+                                 const Vec3& a, const Vec3& b, const Vec3& c, Footprint& footprint,
+                                 bool whole = true, SumSlices sum = nullptr) noexcept;
 
 }  // namespace palpate

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace palpate {
 namespace {
@@ -17,6 +18,9 @@ constexpr double kLine = 2.027, kLineDepth = -0.166, kLineLength = 0.381, kShort
 
 /// Least part of its radius at which a capsule is pressed: the logarithm of none has no value.
 constexpr double kShallowest = 1e-4;
+
+/// To which a capsule's part that the mesh has left is found [-].
+constexpr double kClose = 1e-9;
 
 }  // namespace
 
@@ -88,7 +92,9 @@ double LocalPress::find_depth(double depth, double area) const noexcept {
     const double root = std::sqrt(std::max(0.05, 1.125 - 0.625 * y));
     const double slope = 1.0 - 0.3125 * share / root;
     if (!(slope > 0.1)) return depth / kLeastLeft;
-    y = std::clamp(y - (y + share * root - 1.0) / slope, kLeastLeft, kMostLeft);
+    const double last =
+        std::exchange(y, std::clamp(y - (y + share * root - 1.0) / slope, kLeastLeft, kMostLeft));
+    if (std::abs(y - last) <= (length == 0.0 ? 0.0 : kClose)) break;
   }
   return depth / y;
 }

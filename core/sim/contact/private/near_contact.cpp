@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "palpate/sim/contact/private/capsule_slices.h"
 #include "palpate/sim/contact/private/facets.h"
 #include "palpate/sim/contact/private/footprint.h"
 #include "palpate/sim/contact/private/local_press.h"
@@ -193,15 +194,16 @@ Contact combine(const Tool& tool, const Contact& closest, const Contact& soft,
 /// Below the ball or the capsule, which with a near field is one. From behind, `side` -1, the
 /// triangle is the same one turned over.
 bool integrate(const NearPressure& law, const Axes& axes, const Vec3& p, double side, const Vec3& a,
-               const Vec3& b, const Vec3& c, Footprint& part) noexcept {
+               const Vec3& b, const Vec3& c, Footprint& part, bool whole = false,
+               SumSlices sum = nullptr) noexcept {
   if (side < 0.0) {
-    const bool pressed = integrate(law, axes, p, 1.0, a, c, b, part);
+    const bool pressed = integrate(law, axes, p, 1.0, a, c, b, part, whole, sum);
     std::swap(part.weights[1], part.weights[2]);
     return pressed;
   }
   if (axes.count == 0) return integrate_footprint(law, p, a, b, c, part);
   const Capsule& axis = axes.capsules[0];
-  return integrate_capsule_footprint(law, p + axis.from, p + axis.to, a, b, c, part);
+  return integrate_capsule_footprint(law, p + axis.from, p + axis.to, a, b, c, part, whole, sum);
 }
 
 /// The pressures on one triangle as they are.
@@ -239,10 +241,12 @@ void leave_to_holds(const Vec3& position, const NearContacts& contacts, NearGain
   gain.slope *= left > 0.0 ? std::max(left, 1.0 - grip.stiffness / std::max(slope, 1e-300)) : 0.0;
 }
 
-/// Pressures as they are on all triangles.
-Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
+/// Pressures as they are on all triangles; of a capsule with those on `whole` planes, or without.
+Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const Vec3& p,
+                      bool whole) noexcept {
   const NearPressure law = make_law(*surface.near, shape.tool);
   NearContacts& contacts = surface.candidates->near;
+  const SumSlices sum = shape.axes.count > 0 ? find_slice_sums(surface.candidates->lanes) : nullptr;
   Patch patch;
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
     const Triangle& t = surface.triangles[static_cast<std::size_t>(contacts.triangle[i])];
@@ -254,7 +258,9 @@ Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const V
     contacts.contact[i].force = contacts.contact[i].stiffness = 0.0;
     Footprint part;
     const double side = find_openness(*surface.candidates, contacts.triangle[i]).side;
-    if (!integrate(law, shape.axes, p, side, corner(0), corner(1), corner(2), part)) continue;
+    if (!integrate(law, shape.axes, p, side, corner(0), corner(1), corner(2), part, whole, sum)) {
+      continue;
+    }
     const double share = find_share(closest, part.normal);
     contacts.contact[i] = press(part, closest, share);
     patch.add(*surface.near, t, compute_point(t, part.weights, surface.x) - p, part.axis - p, share,
@@ -263,13 +269,20 @@ Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const V
   return patch;
 }
 
+/// What whole planes would bear counts in a groove alone, and of a capsule is costly to know.
+Patch press_patch(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
+  const Patch patch = press_triangles(shape, surface, p, false);
+  if (shape.axes.count == 0 || !(patch.force > 0.0) || Dent(patch).part == 1.0) return patch;
+  return press_triangles(shape, surface, p, true);
+}
+
 }  // namespace
 
 void find_near_contacts(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
   const Tool& tool = shape.tool;
   const NearField& near = *surface.near;
   NearContacts& contacts = surface.candidates->near;
-  const Patch patch = press_triangles(shape, surface, p);
+  const Patch patch = press_patch(shape, surface, p);
   contacts.force = 0.0;
   NearGain gain;
   if (patch.force > 0.0) {

@@ -10,6 +10,8 @@
 
 namespace palpate {
 
+struct TissueModel;
+
 // Two jaws that close on tissue: contact surfaces with a limited closing force, and friction by an
 // anchor for each triangle [contact: jaws].
 
@@ -154,5 +156,12 @@ double bound_jaw_stiffness(const Tool& tool, int jaw, const Candidates& candidat
                            std::span<const double> mass, const ToolState& state,
                            std::span<double> scratch, int body, const NearField* near,
                            double coupling) noexcept;
+
+/// [1/s²] The same of both jaws and of their anchors on a body under a skin, whose vertices hang on
+/// few particles: by the row sums of these, of what is touched alone. `scratch` has a number for
+/// each particle, 0 between its uses.
+double bound_jaws_on_skin(const Tool& tool, const JawSurfaces& surfaces, int body,
+                          const TissueModel& tissue, const ToolState& state,
+                          std::span<double> scratch) noexcept;
 
 }  // namespace palpate

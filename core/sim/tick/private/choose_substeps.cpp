@@ -31,6 +31,11 @@ constexpr double kLongestMove = 0.3;
 /// longer asked for one is taken back each time, so slowly that no contact is pumped up.
 constexpr double kEased = 0.02;
 
+/// Substeps that jaws on a solid under a skin may ask for at most. The particles under a skin are
+/// heavy, none flies past a jaw in a substep as those of a membrane do, for which there may be
+/// more; and what a jaw squeezes is as stiff as its bound says for its own small motions alone.
+constexpr double kMostOnSkin = 12.0;
+
 /// A tissue that is this much stiffer gets other substeps: 0.9² of stable_step() has room for it.
 constexpr double kStiffening = 1.2;
 
@@ -146,6 +151,10 @@ double bound_instrument_stiffness(const Scene& scene, std::size_t instrument, st
   }
   double sum = 0.0;
   const JawSurfaces surfaces = list_jaw_surfaces(scene, instrument, world);
+  if (const TissueModel& tissue = scene.bodies[body].tissue; !tissue.skin.corners.empty()) {
+    return bound_jaws_on_skin(its.tool, surfaces, static_cast<int>(body), tissue, tool,
+                              work.vertex_scratch);
+  }
   for (int j = 0; j < 2; ++j) {
     const TouchedSurface& surface = surfaces[static_cast<std::size_t>(j)][body];
     sum += bound_jaw_stiffness(its.tool, j, *surface.candidates, triangles, x, work.surface_mass,
@@ -211,7 +220,12 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
                        count_stable_substeps(scene, body, dt, world),
                        count_approach_substeps(body, world)});
   }
-  return static_cast<int>(std::clamp(wanted, double(soft.substeps), double(soft.substeps_max)));
+  double most = soft.substeps_max;
+  if (near && near_jaws && !soft.tissue.skin.corners.empty()) {
+    most =
+        std::clamp(std::max(kMostOnSkin, 4.0 / 3.0 * soft.substeps), double(soft.substeps), most);
+  }
+  return static_cast<int>(std::clamp(wanted, double(soft.substeps), most));
 }
 
 void make_divisors(std::span<const double> cost, std::span<int> substeps) noexcept {

@@ -167,6 +167,9 @@ constexpr double kNoLoad = 1e-3;
 /// that has settled, whatever the tissue does that slips and springs out of them.
 constexpr double kMostChange = 1.0 / 15.0;
 
+/// [N] By which it may change in any case while jaws open in a dent: less in a tick no hand feels.
+constexpr double kOpeningChange = 0.01;
+
 /// Of the closing force: what is left of it after a tick in which the tissue could bear no more,
 /// and at which jaws open instead.
 constexpr double kYield = 0.9, kLeastGrip = 0.02;
@@ -235,11 +238,21 @@ void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
   held.grip_limit = kOpening * tool.jaws->grip;
 }
 
+/// Jaws that open in a dent push at what is beside them: by that a hand is to be moved as evenly,
+/// until they are out of it.
 void follow_change(InstrumentState& state) noexcept {
   ToolState& tool = state.tool;
-  const bool is_free = state.release_ticks == 0 && tool.residual.norm() < kNoLoad;
-  if (is_free) tool.felt_change = 0.0;
+  const bool lets_go = state.release_ticks > 0;
+  if (!lets_go) tool.felt_change = std::max(tool.felt_change, kOpeningChange);
+  if (!lets_go && !tool.touching && tool.residual.norm() < kNoLoad) tool.felt_change = 0.0;
   tool.felt_before = state.last_force;
+}
+
+/// Jaws that carry next to nothing begin to open at once.
+void begin_opening(InstrumentState& state) noexcept {
+  if (state.tool.felt_change > 0.0) return;
+  state.tool.felt_before = state.last_force;
+  state.tool.felt_change = std::max(kMostChange * state.last_force.norm(), kOpeningChange);
 }
 
 /// Tissue that could not bear more makes the jaws yield, for good until the hand opens; where even
@@ -274,7 +287,10 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
   if (goal > closed) {
     // jaws that have let go open with the tissue that pushes them
     if (state.attach_pressed && jaws.held_load > kNoLoad) return let_go(tool, dt, state);
-    if (state.attach_pressed) jaws.grip_limit = kOpening * tool.jaws->grip;
+    if (state.attach_pressed) {
+      jaws.grip_limit = kOpening * tool.jaws->grip;
+      begin_opening(state);
+    }
     state.attach_pressed = false;
     jaws.jaw_wanted = std::max(jaws.jaw_wanted, std::min(goal, jaws.jaw_angle));
   } else {
