@@ -221,7 +221,9 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
                        count_approach_substeps(body, world)});
   }
   double most = soft.substeps_max;
-  if (near && near_jaws && !soft.tissue.skin.corners.empty()) {
+  const bool jaws_alone =
+      near && near_jaws && !is_rigid_near(body, world) && !is_touched(body, world);
+  if (jaws_alone && !soft.tissue.skin.corners.empty()) {
     most =
         std::clamp(std::max(kMostOnSkin, 4.0 / 3.0 * soft.substeps), double(soft.substeps), most);
   }
