@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenario of the kidney stone: a careful hand does it, wrong ones fail for their reason."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import palpate
+import palpate_meshes
+import pytest
+from palpate import scenario
+from palpate.assessment.publish import read_assessment, with_assessment
+from stone_hands import (
+    ASIDE,
+    CALYX,
+    LOOKS_FROM,
+    OUTWARDS,
+    PUT,
+    Goal,
+    Verdict,
+    draw_out,
+    find_lying,
+    look,
+    play,
+    put_down,
+    take,
+)
+
+MESHES = Path(palpate_meshes.__file__).parent
+SCENE = MESHES / "scenes" / "kidney_stone_removal.palpate"
+ASSESSMENT = MESHES / "scenarios" / "kidney_stone_removal.json"
+WITHIN = (3.0, 5.0, 4.0, 4.0)
+"""[s] In which these hands must be done with each step: they do not wait as a trainee may."""
+DOWN, ACROSS = np.array([0.0, 0.0, -1.0]), np.array([0.0, 1.0, 0.0])
+
+
+@pytest.fixture(scope="module")
+def strict() -> scenario.Scenario:
+    """The shipped one, in which the first error is the last: a hand fails for one reason."""
+    made = read_assessment(ASSESSMENT)
+    for step, within in zip(made["steps"], WITHIN, strict=False):
+        step["within_s"] = within
+    made["finish"] = {"time_limit_s": 14.0, "errors_at_most": 0}
+    return with_assessment(ASSESSMENT, made, scenario.read(SCENE))
+
+
+@pytest.fixture(scope="module")
+def stone(strict) -> np.ndarray:
+    """[m] Where it lies."""
+    return find_lying(strict.scene)
+
+
+def name_reason(verdict: Verdict) -> str:
+    """The limit, the step that took too long, or the one that was not done as the time was over."""
+    opened, overdue = list(verdict.opened), verdict.overdue
+    assert len(opened) + len(overdue) <= 1, (opened, overdue)
+    if opened or overdue:
+        assert verdict.outcome is palpate.Outcome.failed
+        return opened[0] if opened else f"{overdue[0]} overdue"
+    return f"{verdict.outcome.name} before {verdict.waiting[0]}" if verdict.waiting else "done"
+
+
+def test_its_grasper_is_that_of_the_scene_and_its_laparoscope_looks_along_the_tract():
+    published = with_assessment(ASSESSMENT, read_assessment(ASSESSMENT), scenario.read(SCENE))
+    grasper, scope = published.scene.instruments
+
+    (its,) = scenario.read(SCENE).scene.instruments
+    assert np.allclose(grasper.trocar, its.trocar)
+    assert (grasper.tool.radius, grasper.tool.jaws.grip) == (its.tool.radius, its.tool.jaws.grip)
+    shaft = np.asarray(scope.trocar) - LOOKS_FROM
+    angle = np.degrees(np.arccos(shaft @ OUTWARDS / np.linalg.norm(shaft)))
+    assert angle == pytest.approx(30.0, abs=8.0)  # as its lens is cut
+
+
+@pytest.mark.landing
+def test_a_careful_hand_brings_the_stone_into_the_tray_and_a_replay_comes_to_the_same(
+    strict, stone
+):
+    hands = [*take(stone), *draw_out(), *put_down()], look()
+
+    verdict = play(strict, *hands)
+
+    assert name_reason(verdict) == "done"
+    assert verdict.outcome is palpate.Outcome.done
+    assert play(strict, *hands).events == verdict.events
+
+
+WRONG = {
+    "does nothing": "find overdue",
+    "presses the kidney with the laparoscope": "scope",
+    "takes the laparoscope away": "blind",
+    "rushes in": "fast",
+    "does not close the jaws": "grasp overdue",
+    "pinches the wall and draws it out": "stretch",
+    "pulls the stone down": "wall",
+    "presses the wall": "press",
+    "opens in the tract": "lost",
+    "stops half way out": "out overdue",
+    "opens beside the tray": "dropped",
+    "stays outside": "carry overdue",
+    "never lets go": "timed_out before let_go",
+}
+
+
+def plan_wrong(hand: str, stone: np.ndarray) -> tuple[list[Goal], list[Goal]]:
+    """The goals of the grasper and the laparoscope."""
+    into, out, down = take(stone), draw_out(), put_down()
+    held, inside = into[-1].to, into[1].to
+    half_way = CALYX + 0.02 * OUTWARDS
+    beside = into[2].to + 0.006 * ACROSS
+    deeper = beside - 0.006 * OUTWARDS
+    pinch = [
+        Goal(beside, closed=False, stay=0.2),
+        Goal(deeper, closed=False, speed=0.02),
+        Goal(deeper, stay=0.5),
+        Goal(CALYX + 0.03 * OUTWARDS, speed=0.02, stay=5.0),
+    ]
+    plans: dict[str, tuple[list[Goal], list[Goal]]] = {
+        "does nothing": ([], []),
+        "presses the kidney with the laparoscope": ([], [Goal(np.zeros(3), speed=0.1, stay=5.0)]),
+        "takes the laparoscope away": ([*into[:3], Goal(into[2].to, stay=5.0)],
+                                       [*look(), Goal(ASIDE)]),
+        "rushes in": ([Goal(inside, speed=0.5, stay=5.0)], look()),
+        "does not close the jaws": ([*into[:-1], Goal(held, closed=False, stay=9.0)], look()),
+        "pinches the wall and draws it out": ([*into[:3], *pinch], look()),
+        "pulls the stone down": ([*into, Goal(held + 0.03 * DOWN, stay=5.0)], look()),
+        "presses the wall": ([*into[:2], Goal(inside + 0.04 * ACROSS, speed=0.2, stay=5.0)],
+                             look()),
+        "opens in the tract": ([*into, Goal(half_way, speed=0.02),
+                                Goal(half_way, closed=False, stay=5.0)], look()),
+        "stops half way out": ([*into, Goal(half_way, speed=0.02, stay=9.0)], look()),
+        "opens beside the tray": ([*into, *out, *put_down(PUT - (0.03, 0.0, 0.0))], look()),
+        "stays outside": ([*into, *out, Goal(out[-1].to, stay=9.0)], look()),
+        "never lets go": ([*into, *out, *down[:2], Goal(down[1].to, stay=20.0)], look()),
+    }  # fmt: skip
+    return plans[hand]
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("hand", WRONG)
+def test_a_wrong_hand_fails_for_its_own_reason(strict, stone, hand):
+    assert name_reason(play(strict, *plan_wrong(hand, stone))) == WRONG[hand]
+
+
+def test_every_wrong_hand_has_a_reason_of_its_own():
+    assert len(set(WRONG.values())) == len(WRONG) >= 10
