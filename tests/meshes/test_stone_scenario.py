@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import palpate_meshes
 import pytest
 from palpate import scenario
 from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.cli.main import main
 from stone_hands import (
     ASIDE,
     CALYX,
@@ -84,6 +86,23 @@ def test_a_careful_hand_brings_the_stone_into_the_tray_and_a_replay_comes_to_the
     assert name_reason(verdict) == "done"
     assert verdict.outcome is palpate.Outcome.done
     assert play(strict, *hands).events == verdict.events
+
+
+@pytest.mark.landing
+def test_a_simulated_hand_does_it_in_the_live_loop_and_the_replay_says_so_too(tmp_path, capsys):
+    path, record = tmp_path / "stone.palpate", tmp_path / "run.prec"
+    shipped = with_assessment(ASSESSMENT, read_assessment(ASSESSMENT), scenario.read(SCENE))
+    scenario.write(path, shipped)
+
+    code = main(["play", str(path), "--headless", "--device", "script:careful", "--record",
+                 str(record), "--json"])  # fmt: skip
+
+    verdict = json.loads(capsys.readouterr().out)["verdict"]
+    assert (code, verdict["outcome"], verdict["errors"]) == (0, "done", 0)
+    assert verdict["replay_equal"]
+    assert main(["replay", str(record), "--json"]) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert again["verdict_equal"] and again["verdict"]["events"] == verdict["events"]
 
 
 WRONG = {

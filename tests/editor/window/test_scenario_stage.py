@@ -273,6 +273,20 @@ def test_a_designer_makes_a_scenario_of_the_liver_in_under_30_clicks(
     assert not [row for row in tried["problems"] if row["severity"] == "error"]
 
 
+def test_a_laparoscope_looks_at_a_place_and_objects_are_moved_only_where_there_are_some(designer):
+    panel, window = designer.panel, designer.window
+    designer.button("new_scenario")
+    designer.choose(panel.tools.add, panel.tools.add.menu(), "add_tool_laparoscope")
+    designer.add_step("look")
+    (step,) = designer.assessment["steps"]
+    assert (step["do"], step["tool"], step["for_s"]) == ("look", "laparoscope", 1.0)
+    settle(designer.qtbot, window)
+    designer.wait(lambda: panel.is_known())
+    assert panel.context.assessment.scene is not None
+    offered = {action.data() for action in panel.list.menu.actions() if action.isVisible()}
+    assert "look" in offered and not offered & {"remove", "carry"}
+
+
 def test_instruments_are_added_shaped_and_driven_in_the_test_stage(designer, checkout):
     panel, window = designer.panel, designer.window
     designer.button("new_scenario")
