@@ -63,6 +63,7 @@ def name_reason(verdict: Verdict) -> str:
     return f"{verdict.outcome.name} before {verdict.waiting[0]}" if verdict.waiting else "done"
 
 
+@pytest.mark.landing
 def test_its_grasper_is_that_of_the_scene_and_its_laparoscope_looks_along_the_tract():
     published = with_assessment(ASSESSMENT, read_assessment(ASSESSMENT), scenario.read(SCENE))
     grasper, scope = published.scene.instruments
@@ -113,7 +114,6 @@ WRONG = {
     "does not close the jaws": "grasp overdue",
     "pinches the wall and draws it out": "stretch",
     "pulls the stone down": "wall",
-    "presses the wall": "press",
     "opens in the tract": "lost",
     "stops half way out": "out overdue",
     "opens beside the tray": "dropped",
@@ -144,8 +144,6 @@ def plan_wrong(hand: str, stone: np.ndarray) -> tuple[list[Goal], list[Goal]]:
         "does not close the jaws": ([*into[:-1], Goal(held, closed=False, stay=9.0)], look()),
         "pinches the wall and draws it out": ([*into[:3], *pinch], look()),
         "pulls the stone down": ([*into, Goal(held + 0.03 * DOWN, stay=5.0)], look()),
-        "presses the wall": ([*into[:2], Goal(inside + 0.04 * ACROSS, speed=0.2, stay=5.0)],
-                             look()),
         "opens in the tract": ([*into, Goal(half_way, speed=0.02),
                                 Goal(half_way, closed=False, stay=5.0)], look()),
         "stops half way out": ([*into, Goal(half_way, speed=0.02, stay=9.0)], look()),
@@ -163,4 +161,4 @@ def test_a_wrong_hand_fails_for_its_own_reason(strict, stone, hand):
 
 
 def test_every_wrong_hand_has_a_reason_of_its_own():
-    assert len(set(WRONG.values())) == len(WRONG) >= 10
+    assert len(set(WRONG.values())) == len(WRONG) == 12
