@@ -32,6 +32,9 @@ FASTEST = 40.0
 around a vertex of it would go at 42 m/s with all of that."""
 DEEPEST = 1e-4
 """[m] What is stopped at 10 m/s may be that deep for some substeps, a fifth of a barrier."""
+THICKNESS = 5e-4
+"""[m] Of the barriers. Edge against edge is not looked at, and an edge of 6 mm over a ridge may go
+0.13 mm into it where all vertices keep 0.4 mm apart."""
 SHORT_BORDER = 12
 """[-] Edges of a border that a lid closes."""
 
@@ -65,13 +68,22 @@ class Skin:
         near = ((points > used.min(axis=0)) & (points < used.max(axis=0))).all(axis=1)
         return sum(palpate.compute_winding_number(self.closed, x, p) > 0.5 for p in points[near])
 
-    def count_pierced(self, x: np.ndarray, other: Skin, x_other: np.ndarray) -> int:
-        """Edges that go through triangles of another one."""
+    def measure_pierced(self, x: np.ndarray, other: Skin, x_other: np.ndarray) -> float:
+        """[m] How deep edges go through another, closed one between their ends."""
+        if other.closed is None:
+            return 0.0
         ends = x[self.edges]
         low, high = x_other[other.triangles].min(axis=(0, 1)), x_other[other.triangles].max((0, 1))
         near = ((ends.max(axis=1) > low) & (ends.min(axis=1) < high)).all(axis=1)
-        tree = palpate.AabbTree(x_other, other.triangles)
-        return sum(palpate.find_segment_hit(tree, x_other, a, b) is not None for a, b in ends[near])
+        tree, deepest = palpate.AabbTree(x_other, other.triangles), 0.0
+        for a, b in ends[near]:
+            if palpate.find_segment_hit(tree, x_other, a, b) is None:
+                continue
+            for p in a + np.linspace(0.0, 1.0, 21)[:, None] * (b - a):
+                if palpate.compute_winding_number(other.closed, x_other, p) > 0.5:
+                    found = palpate.find_closest_point(tree, x_other, p)
+                    deepest = max(deepest, found.distance if found else 0.0)
+        return deepest
 
 
 @dataclass
@@ -84,8 +96,8 @@ class Handled:
     """[m] of any pair."""
     inside: int = 0
     """Vertices, and middles of a stone's spheres, in another body, at most."""
-    pierced: int = 0
-    """Edges through triangles of another body, at most."""
+    pierced: float = 0.0
+    """[m] How deep edges went through another body, between vertices that did not."""
     touched: int = 0
     """Ticks in which bodies touched each other, or a stone something."""
     fastest: float = 0.0
@@ -106,16 +118,16 @@ def look(scene: palpate.Scene, skins: list[Skin], handled: Handled) -> None:
     handled.fastest = max(
         handled.fastest, *(np.linalg.norm(b.tissue.velocity, axis=1).max() for b in world.bodies)
     )
-    inside = pierced = 0
+    inside, pierced = 0, handled.pierced
     for pair in scene.body_pairs:
         for a, b in ((pair.first, pair.second), (pair.second, pair.first)):
             inside += skins[b].count_inside(x[b], x[a][np.unique(skins[a].triangles)])
-            pierced += skins[a].count_pierced(x[a], skins[b], x[b])
+            pierced = max(pierced, skins[a].measure_pierced(x[a], skins[b], x[b]))
     for body, state in zip(scene.rigid, world.rigid, strict=True):
         turn = Rotation.from_quat(np.asarray(state.orientation))
         points = turn.apply(body.sphere_centres) + np.asarray(state.position)
         inside += sum(skin.count_inside(at, points) for skin, at in zip(skins, x, strict=True))
-    handled.inside, handled.pierced = max(handled.inside, inside), max(handled.pierced, pierced)
+    handled.inside, handled.pierced = max(handled.inside, inside), pierced
 
 
 def handle(scene: palpate.Scene, seed: int, seconds: float) -> Handled:
@@ -146,7 +158,7 @@ def check(scene: palpate.Scene, handled: Handled) -> None:
     assert handled.alarms == []
     assert handled.least_gap > -DEEPEST
     assert handled.inside == 0
-    assert handled.pierced == 0
+    assert handled.pierced < THICKNESS
     assert handled.fastest < FASTEST
 
 
