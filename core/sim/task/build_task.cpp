@@ -33,6 +33,22 @@ TaskSurface build_surface(const SoftBody& body) {
   return surface;
 }
 
+const char* name_kind(PlaceKind kind) {
+  switch (kind) {
+    case PlaceKind::region:
+      return "a region";
+    case PlaceKind::path:
+      return "a path";
+    case PlaceKind::ball:
+      return "a ball";
+    case PlaceKind::object:
+      return "an object";
+    case PlaceKind::space:
+      return "a space";
+  }
+  return "";
+}
+
 bool needs_place(TaskVerb verb) { return verb != TaskVerb::release; }
 
 bool needs_space(TaskVerb verb) { return verb == TaskVerb::remove || verb == TaskVerb::carry; }
@@ -44,7 +60,7 @@ void check_step_place(const Task& task, std::size_t s) {
   check_index(name_row("steps", s, "space"), step.space, needs_space(step.verb) ? 0 : -1,
               needs_space(step.verb) ? task.places.size() : 0);
   if (needs_space(step.verb) && place_of(task, step.space).kind != PlaceKind::space) {
-    refuse(name_row("steps", s, "space"), "another place", "a space");
+    refuse(name_row("steps", s, "space"), name_kind(place_of(task, step.space).kind), "a space");
   }
   if (step.place < 0) return;
   const PlaceKind kind = place_of(task, step.place).kind;
@@ -139,6 +155,10 @@ void check_measure(const Scene& scene, const Task& task, std::size_t l) {
   if (is(TaskMeasure::out_of_view) && task.cameras.empty()) {
     refuse(name_row("limits", l, "measure"), "what is out of view", "another: no instrument sees");
   }
+  const auto is_others = [&](const TaskCamera& c) { return c.instrument != limit.instrument; };
+  if (is(TaskMeasure::out_of_view) && std::ranges::none_of(task.cameras, is_others)) {
+    refuse(name_row("limits", l, "instrument"), "the one that sees", "one that another sees");
+  }
   const auto tool = static_cast<std::size_t>(limit.instrument);
   if (is(TaskMeasure::loose) && !scene.instruments[tool].tool.jaws) {
     refuse(name_row("limits", l, "instrument"), "one without jaws", "a grasper");
@@ -147,13 +167,13 @@ void check_measure(const Scene& scene, const Task& task, std::size_t l) {
   if (limit.place < 0) return;
   const PlaceKind kind = place_of(task, limit.place).kind;
   const bool hard = kind == PlaceKind::object, space = kind == PlaceKind::space;
-  if (needs_object && !hard) refuse(where, "another place", "an object");
-  if (is(TaskMeasure::out_of_view) && !space) refuse(where, "another place", "a space or none");
+  if (needs_object && !hard) refuse(where, name_kind(kind), "an object");
+  if (is(TaskMeasure::out_of_view) && !space) refuse(where, name_kind(kind), "a space or none");
   if (is(TaskMeasure::clearance) && kind != PlaceKind::ball && !space) {
-    refuse(where, "another place", "a ball or a space");
+    refuse(where, name_kind(kind), "a ball or a space");
   }
   if (is(TaskMeasure::off_path) && kind != PlaceKind::path) {
-    refuse(where, "another place", "a path");
+    refuse(where, name_kind(kind), "a path");
   }
   if (is(TaskMeasure::contact, TaskMeasure::force) && (hard || space)) {
     refuse(where, hard ? "an object" : "a space", "a place on a tissue");

@@ -322,12 +322,12 @@ TEST_CASE("a task at what cannot be there is refused") {
       {[](Task& t) { t.steps[0] = {.verb = TaskVerb::carry, .place = 1}; },
        "steps[0].space: got -1"},
       {[](Task& t) { t.steps[0] = {.verb = TaskVerb::carry, .place = 1, .space = 0}; },
-       "steps[0].space: got another place, expected a space"},
+       "steps[0].space: got a region, expected a space"},
       {[](Task& t) { t.steps[0] = {.verb = TaskVerb::remove, .place = 0, .space = 2}; },
        "steps[0].place: got no object"},
       {[](Task& t) { t.steps[0].space = 2; }, "steps[0].space: got 2"},
       {[](Task& t) { t.limits = {{.measure = TaskMeasure::loose, .place = 2}}; },
-       "limits[0].place: got another place, expected an object"},
+       "limits[0].place: got a space, expected an object"},
       {[](Task& t) {
          t.limits = {{.measure = TaskMeasure::loose, .instrument = kScope, .place = 1}};
        },
@@ -335,7 +335,9 @@ TEST_CASE("a task at what cannot be there is refused") {
       {[](Task& t) { t.limits = {{.measure = TaskMeasure::object_force, .bound = 1.0}}; },
        "limits[0].place: got -1"},
       {[](Task& t) { t.limits = {{.measure = TaskMeasure::out_of_view, .place = 1}}; },
-       "limits[0].place: got another place, expected a space or none"},
+       "limits[0].place: got an object, expected a space or none"},
+      {[](Task& t) { t.limits = {{.measure = TaskMeasure::out_of_view, .instrument = kScope}}; },
+       "limits[0].instrument: got the one that sees, expected one that another sees"},
       {[](Task& t) { t.limits = {{.measure = TaskMeasure::out_of_view, .above = false}}; },
        "true: what is not seen is what can be wrong"},
       {[](Task& t) {
