@@ -88,7 +88,7 @@ HWY_INLINE void accumulate_branches(const PackedTriangles& triangles, std::size_
   const Sides bond = load_sides(triangles.bond_stiffness.block(pack)) * stretch;
   const Sides tension = compute_tensions<law>(triangles, pack, m, bent, stretch);
   const Sides scale =
-      Sides{ratio, ratio, ratio} * multiply_add(tension, m.direction, bond * m.direction);
+      Sides{ratio, ratio, ratio} * multiply_add(tension, m.pull, bond * m.direction);
   if constexpr (measured) {
     const auto is_triangle = differ(corner, corner + kWidth);
     const Real energy = hn::Mul(ratio, compute_pack_energy<law>(triangles, pack, bent, stretch));

@@ -43,25 +43,26 @@ HWY_INLINE Sides add_others(const Sides& p) {
 }
 
 /// The lengths of the sides and what they divide by: Divisors of tensions.h, lane by lane.
+/// `direction` is that of bonds, `pull` that of tensions: both 1/l, rounded as each always was.
 struct Measured {
-  Sides square, length, inverse, slope, direction;
+  Sides square, length, inverse, slope, direction, pull;
   hn::Mask<Lanes> blunt;
   bool any_blunt;
 };
 
-/// What a side divides by in lanes in which it is shorter than `least`.
+/// What a side divides by where lanes of a pack are shorter than `least`; unused ones always are.
 HWY_INLINE void blunt(Real square, Real rest, Real least, Real& length, Real& inverse, Real& slope,
-                      Real& direction) {
+                      Real& direction, Real& pull) {
   const Real one = hn::Set(kLanes, 1.0f), two = hn::Set(kLanes, 2.0f);
   const Real directed = hn::Mul(hn::Set(kLanes, static_cast<float>(kNoDirection)), rest);
   const auto is_short = hn::Lt(square, hn::Mul(least, least));
-  const Real root = hn::Sqrt(square), part = hn::Div(root, hn::IfThenElse(is_short, least, one));
+  length = hn::Sqrt(square);
+  direction = hn::IfThenElseZero(hn::Gt(length, directed), hn::Div(one, length));
+  const Real part = hn::Div(length, hn::IfThenElse(is_short, least, one));
   const Real blunted = hn::Div(two, hn::Mul(least, hn::MulAdd(part, part, one)));
-  length = hn::IfThenElse(is_short, root, length);
   inverse = hn::IfThenElse(is_short, blunted, inverse);
   slope = hn::IfThenElse(is_short, hn::Mul(part, blunted), slope);
-  direction = hn::IfThenElse(
-      is_short, hn::IfThenElseZero(hn::Gt(root, directed), hn::Div(one, root)), direction);
+  pull = hn::IfThenElse(is_short, direction, pull);
 }
 
 HWY_INLINE Measured measure(const Sides& rest, const Points& side_a, const Points& side_b,
@@ -74,14 +75,17 @@ HWY_INLINE Measured measure(const Sides& rest, const Points& side_a, const Point
   m.inverse = {invert_root(hn::Max(m.square.a, least.a)), invert_root(hn::Max(m.square.b, least.b)),
                invert_root(hn::Max(m.square.c, least.c))};
   m.length = m.square * m.inverse;
-  m.slope = m.direction = m.inverse;
+  m.slope = m.direction = m.pull = m.inverse;
   m.blunt = hn::Or(hn::Or(hn::Lt(m.square.a, least.a), hn::Lt(m.square.b, least.b)),
                    hn::Lt(m.square.c, least.c));
   m.any_blunt = !hn::AllFalse(kLanes, m.blunt);
   if (m.any_blunt) {
-    blunt(m.square.a, rest.a, shortest.a, m.length.a, m.inverse.a, m.slope.a, m.direction.a);
-    blunt(m.square.b, rest.b, shortest.b, m.length.b, m.inverse.b, m.slope.b, m.direction.b);
-    blunt(m.square.c, rest.c, shortest.c, m.length.c, m.inverse.c, m.slope.c, m.direction.c);
+    blunt(m.square.a, rest.a, shortest.a, m.length.a, m.inverse.a, m.slope.a, m.direction.a,
+          m.pull.a);
+    blunt(m.square.b, rest.b, shortest.b, m.length.b, m.inverse.b, m.slope.b, m.direction.b,
+          m.pull.b);
+    blunt(m.square.c, rest.c, shortest.c, m.length.c, m.inverse.c, m.slope.c, m.direction.c,
+          m.pull.c);
   }
   return m;
 }
@@ -224,7 +228,7 @@ HWY_INLINE void accumulate_pack(const PackedTriangles& triangles, std::size_t pa
   const Bent bent = compute_bend(triangles, pack, m);
   if constexpr (measured) measure_pack<law>(triangles, pack, rest, m, bent, stretch, sums);
   const Sides tension = compute_tensions<law>(triangles, pack, m, bent, stretch);
-  const Sides scale = multiply_add(tension, m.direction, bond * m.direction);
+  const Sides scale = multiply_add(tension, m.pull, bond * m.direction);
   Pulls pull = {scale.a * side_a, scale.b * side_b, scale.c * side_c};
   if constexpr (damping != Damping::none) {
     add_damping<damping>(triangles, pack, velocity_rows, side_a, side_b, side_c, m, pull);
