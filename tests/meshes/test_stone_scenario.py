@@ -113,7 +113,7 @@ WRONG = {
     "rushes in": "fast",
     "does not close the jaws": "grasp overdue",
     "pinches the wall and draws it out": "stretch",
-    "pulls the stone down": "wall",
+    "pulls the stone down": "press",
     "opens in the tract": "lost",
     "stops half way out": "out overdue",
     "opens beside the tray": "dropped",

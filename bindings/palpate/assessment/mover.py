@@ -20,7 +20,7 @@ from palpate.assessment.person import Person
 from palpate.assessment.skill import Skill
 
 VERBS, KINDS = palpate.TaskVerb, palpate.PlaceKind
-BEFORE, PAST = 0.008, 0.002
+BEFORE, PAST = 0.008, 0.004
 """[m] From the middle of an object: where jaws open, and where they close beyond it."""
 INSIDE_SPEED, SLOW = 0.05, 0.02
 """[m/s] in what is hollow, and at the object."""
