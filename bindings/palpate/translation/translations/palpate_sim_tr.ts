@@ -464,6 +464,14 @@
         <translation>bir yandan öbürüne %1 mm</translation>
     </message>
     <message>
+        <source>a scene of no file</source>
+        <translation>dosyası olmayan bir sahne</translation>
+    </message>
+    <message>
+        <source>one: what is in it is named from there</source>
+        <translation>bir dosya: içindekiler oradan adlandırılır</translation>
+    </message>
+    <message>
         <source>%1 m from side to side</source>
         <translation>bir yandan öbürüne %1 m</translation>
     </message>
