@@ -5764,6 +5764,12 @@ class Task:
 MOST_STEPS: int
 MOST_LIMITS: int
 MOST_PLACES: int
+MOST_SEEN_POINTS: int
+
+def is_yes_or_no(measure: TaskMeasure) -> bool:
+    """Whether what a limit watches is or is not, so that its bound is 0 and it is wrong above
+    that.
+    """
 
 def is_of_task(event: Event) -> bool:
     """Whether its kind is one of TaskEvent."""

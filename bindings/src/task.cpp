@@ -174,6 +174,10 @@ void bind_task_type(py::module_& m) {
   m.attr("MOST_STEPS") = kMostSteps;
   m.attr("MOST_LIMITS") = kMostLimits;
   m.attr("MOST_PLACES") = kMostPlaces;
+  m.attr("MOST_SEEN_POINTS") = kMostSeenPoints;
+  m.def("is_yes_or_no", &is_yes_or_no, "measure"_a,
+        "Whether what a limit watches is or is not, so that its bound is 0 and it is wrong above "
+        "that.");
   m.def(
       "is_of_task", [](const Event& event) { return is_of_task(event); }, "event"_a,
       "Whether its kind is one of TaskEvent.");

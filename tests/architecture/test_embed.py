@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 from tree import CHECKOUT, install
 
+# the whole library is compiled once more after every change of it
+pytestmark = pytest.mark.landing
 EXAMPLE = CHECKOUT / "tests/examples/embed_palpate"
 ABSENT = ("ZLIB", "OpenSSL", "hwy", "CGAL", "assimp", "OpenMesh", "doctest", "pybind11", "Python")
 

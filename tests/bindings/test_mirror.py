@@ -37,6 +37,7 @@ NOT_MIRRORED = {
     "ResponseState": "inside of World; Python reads SoftState.tissue",
     "World.World": "in Python it takes `recovers` too, for a world is read-only there",
     "World.follows_all": "inside of the loop; worlds of Python follow all",
+    "TaskObject.tree": "inside of the judge, who asks it for what hides a place",
     "AabbTree.refit_steps": "inside of the tick",
     "AabbTree.refit_step_count": "inside of the tick",
     "TreeRefit.step_count": "inside of AabbTree",
