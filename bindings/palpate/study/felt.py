@@ -132,7 +132,9 @@ def measure_shares(name: str, scene: palpate.Scene, count: int | None = None) ->
         if changed is None:
             return None
         stiff = press_places(changed, places, LONG_HOLD, DEPTH, LONG_MEAN)
-        return float(np.mean([trial.force for trial in stiff] / forces))
+        felt = forces > 0.0  # open jaws may leave a place untouched
+        stiffer = np.array([trial.force for trial in stiff])
+        return float(np.mean(stiffer[felt] / forces[felt])) if felt.any() else None
 
     return ShareRow(
         scene=name,
