@@ -60,6 +60,16 @@ double bound_slope(const SurfaceContacts& contacts, double gap, double area) noe
   return barrier.stiffness * area / (part * part * shorter * shorter);
 }
 
+/// The contact of a vertex with the nearest of its triangles, however far; without a triangle where
+/// it has none.
+VertexContact find_nearest(const SurfaceContacts& contacts, int vertex,
+                           const TouchingSurface& vertices,
+                           const TouchingSurface& triangles) noexcept {
+  return find_contact(contacts, vertex, vertices.x[static_cast<std::size_t>(vertex)],
+                      triangles.tissue.triangles, triangles.x,
+                      std::numeric_limits<double>::infinity());
+}
+
 /// [m/s] That is too much of a closing speed, in a step of dt [s].
 double find_excess(const Barrier& barrier, const VertexContact& contact, const Moving& moving,
                    double dt) noexcept {
@@ -77,10 +87,7 @@ void stop_what_is_left(const SurfaceContacts& contacts, double dt, const Touchin
   for (int pass = 0; pass < kPasses && !all; ++pass) {
     all = true;
     for (const int vertex : contacts.active_in_use()) {
-      const auto v = static_cast<std::size_t>(vertex);
-      const VertexContact contact =
-          find_contact(contacts, vertex, vertices.x[v], triangles.tissue.triangles, triangles.x,
-                       std::numeric_limits<double>::infinity());
+      const VertexContact contact = find_nearest(contacts, vertex, vertices, triangles);
       if (contact.triangle < 0) continue;
       const Moving moving = measure(contact, vertex, vertices, triangles);
       const double excess = find_excess(contacts.barrier, contact, moving, dt);
@@ -108,9 +115,7 @@ ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
   bool stopped = false;
   for (const int vertex : contacts.active_in_use()) {
     const auto v = static_cast<std::size_t>(vertex);
-    const VertexContact contact =
-        find_contact(contacts, vertex, vertices.x[v], triangles.tissue.triangles, triangles.x,
-                     std::numeric_limits<double>::infinity());
+    const VertexContact contact = find_nearest(contacts, vertex, vertices, triangles);
     if (contact.triangle < 0) continue;
     const Moving moving = measure(contact, vertex, vertices, triangles);
     const bool within = contact.gap < barrier.thickness;
@@ -144,9 +149,7 @@ ContactNeed accumulate_stiffness(const SurfaceContacts& contacts, double dt,
   ContactNeed need;
   for (const int vertex : contacts.active_in_use()) {
     const auto v = static_cast<std::size_t>(vertex);
-    const VertexContact contact =
-        find_contact(contacts, vertex, vertices.x[v], triangles.tissue.triangles, triangles.x,
-                     std::numeric_limits<double>::infinity());
+    const VertexContact contact = find_nearest(contacts, vertex, vertices, triangles);
     if (contact.triangle < 0) continue;
     const Moving moving = measure(contact, vertex, vertices, triangles);
     const double closes = std::max(0.0, -moving.speed);
