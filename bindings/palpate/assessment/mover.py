@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 import palpate
 from palpate.assessment.free_ways import (
@@ -184,7 +185,4 @@ class Mover(Person):
 
     def turn(self, rigid: int, points: Vec) -> Vec:
         """As the object is turned at the start."""
-        x, y, z, w = self.turns[rigid]
-        axis = np.array([x, y, z])
-        twice = 2.0 * np.cross(axis, points)
-        return np.asarray(points + w * twice + np.cross(axis, twice))
+        return np.asarray(Rotation.from_quat(self.turns[rigid]).apply(points))
