@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from layouts import wait, write_two
 from palpate import translation
 from palpate.runs.trial import choose_places
 from palpate.viewport.gl_view import build_format
@@ -16,6 +17,8 @@ from palpate_editor.app.settings import Settings
 from palpate_editor.document import EMPTY
 from palpate_editor.edits import Decimate, decimate_organ
 from palpate_editor.views.editor import Editor
+from palpate_editor.views.layout.layout_window import SIZE as SCENE_SIZE
+from palpate_editor.views.layout.layout_window import LayoutWindow
 from palpate_editor.views.tasks import ImportWork, Reading
 from palpate_editor.views.window import SIZE, MainWindow
 from patience import settle
@@ -140,3 +143,23 @@ def spleen_window(
     window.menu_actions.fix_lowest()
     settle(qtbot, window)
     return window
+
+
+@pytest.fixture
+def two(tmp_path: Path) -> Path:
+    return write_two(tmp_path)
+
+
+@pytest.fixture
+def scene(qtbot, editor, two) -> Iterator[LayoutWindow]:
+    editor.window.files.open(two)
+    (window,) = editor.layouts
+    qtbot.waitExposed(window)
+    window.resize(SCENE_SIZE)
+    window.arrange()
+    wait(qtbot, window)
+    window.view.frame_all()
+    yield window
+    for each in editor.layouts:
+        each.may_close = True
+        each.close()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A layout of two small organs, a stone and a tray."""
+"""A layout of two small organs, a stone and a tray, and its window driven by hand."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from palpate import scenario
 from palpate.layout.document import History, Layout, apply
 from palpate.layout.layout_file import write_layout
 from palpate_editor.layout_changes import change
+from palpate_editor.views.layout.layout_window import LayoutWindow
+from palpate_editor.views.quantity_box import QuantityBox
 from palpate_meshes.generate import ellipsoid
+from patience import PATIENCE
 
 HALF = (0.03, 0.025, 0.02)
 """[m] Of each organ, which are ellipsoids."""
@@ -69,3 +72,35 @@ def write_two(folder: Path) -> Path:
         history = apply(history, change(path, history.now, words))
     write_layout(path, history)
     return path
+
+
+def wait(qtbot, window: LayoutWindow) -> None:
+    """Until all is read and checked."""
+    qtbot.waitUntil(
+        lambda: (
+            window.jobs.current is None
+            and window.checked is not None
+            and len({part.file for part in window.session.layout.parts}) <= len(window.shapes)
+        ),
+        timeout=PATIENCE,
+    )
+
+
+def find(window: LayoutWindow, kind: type, name: str):
+    found = window.findChild(kind, name)
+    assert found is not None, name
+    return found
+
+
+def enter(window: LayoutWindow, name: str, text: str) -> None:
+    box = find(window, QuantityBox, name)
+    box.lineEdit().setText(text)
+    box.enter()
+
+
+def log(window: LayoutWindow) -> str:
+    return window.log.toPlainText()
+
+
+def part(window: LayoutWindow, name: str):
+    return window.session.layout.find_part(name)

@@ -5,87 +5,30 @@ from __future__ import annotations
 
 import json
 import shlex
-from collections.abc import Iterator
-from pathlib import Path
 
 import numpy as np
 import pytest
 from hands import click, log_of
-from layouts import write_two
+from layouts import enter, find, log, part, wait
 from palpate import scenario
 from palpate.cli.main import main
 from palpate.layout.layout_file import read_layout
 from palpate_editor.layout_shapes import find_degrees
 from palpate_editor.views import file_questions
-from palpate_editor.views.layout.layout_window import SIZE, LayoutWindow
+from palpate_editor.views.layout.layout_window import LayoutWindow
 from palpate_editor.views.layout.move_gizmo import AXES, Handle
-from palpate_editor.views.quantity_box import QuantityBox
 from patience import PATIENCE
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QLineEdit,
     QMessageBox,
-    QPlainTextEdit,
     QPushButton,
 )
 
 pytestmark = pytest.mark.window
 LEFT, NO_KEYS = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-
-
-@pytest.fixture
-def two(tmp_path: Path) -> Path:
-    return write_two(tmp_path)
-
-
-def wait(qtbot, window: LayoutWindow) -> None:
-    """Until all is read and checked."""
-    qtbot.waitUntil(
-        lambda: (
-            window.jobs.current is None
-            and window.checked is not None
-            and len({part.file for part in window.session.layout.parts}) <= len(window.shapes)
-        ),
-        timeout=PATIENCE,
-    )
-
-
-@pytest.fixture
-def scene(qtbot, editor, two) -> Iterator[LayoutWindow]:
-    editor.window.files.open(two)
-    (window,) = editor.layouts
-    qtbot.waitExposed(window)
-    window.resize(SIZE)
-    window.arrange()
-    wait(qtbot, window)
-    window.view.frame_all()
-    yield window
-    for each in editor.layouts:
-        each.may_close = True
-        each.close()
-
-
-def find(window: LayoutWindow, kind: type, name: str):
-    found = window.findChild(kind, name)
-    assert found is not None, name
-    return found
-
-
-def enter(window: LayoutWindow, name: str, text: str) -> None:
-    box = find(window, QuantityBox, name)
-    box.lineEdit().setText(text)
-    box.enter()
-
-
-def log(window: LayoutWindow) -> str:
-    return window.log.toPlainText()
-
-
-def part(window: LayoutWindow, name: str):
-    return window.session.layout.find_part(name)
 
 
 def handle_pixel(window: LayoutWindow, handle: Handle) -> QPoint:
@@ -288,61 +231,6 @@ def test_each_pair_is_measured_and_the_scene_published(qtbot, scene, tmp_path):
     budget = scene.panel.budget.budget
     assert budget is not None
     assert budget.parts[0].name == "left and right"
-
-
-def test_title_task_gravity_and_fluid_are_kept_with_the_scene(qtbot, scene):
-    find(scene, QLineEdit, "title").setText("A stone")
-    find(scene, QLineEdit, "title").editingFinished.emit()
-    find(scene, QPlainTextEdit, "task_tr").setPlainText("Taşı alın")
-    scene.panel.scene_form.enter_tasks()
-    click(find(scene, QCheckBox, "gravity"))
-    enter(scene, "gravity 2", "-1.62")
-    click(find(scene, QCheckBox, "fluid"))
-    enter(scene, "fluid 1", "3")
-
-    layout = scene.session.layout
-    assert (layout.title, layout.task_tr) == ("A stone", "Taşı alın")
-    assert layout.gravity == (0.0, 0.0, -1.62) and layout.fluid == (1000.0, 0.003)
-    assert "two.layout.json '--title=A stone'" in log(scene)
-    click(find(scene, QCheckBox, "gravity"))
-    assert scene.session.layout.gravity == ()
-    scene.undo()
-    assert find(scene, QuantityBox, "gravity 2").shown == -1.62
-
-
-def test_a_scene_is_touched_by_the_instrument_that_is_chosen(scene):
-    box = find(scene, QComboBox, "tool_kind")
-    box.setCurrentIndex(box.findData("grasper"))
-    box.activated.emit(box.currentIndex())
-    enter(scene, "radius", "2")
-    enter(scene, "jaw_opening", "20")
-    click(find(scene, QCheckBox, "trocar"))
-    enter(scene, "trocar 0", "12")
-
-    (tool,) = scene.session.layout.tools
-    assert (tool.kind, tool.radius, tool.grip_force) == ("grasper", 0.002, 5.0)
-    assert tool.jaw_opening == pytest.approx(np.radians(20), rel=1e-8)
-    np.testing.assert_allclose(tool.trocar, (0.012, 0.0, 0.15), rtol=1e-12)
-    enter(scene, "radius", "900")
-    assert "--radius: got 0.9, expected" in scene.messages.text
-    assert find(scene, QuantityBox, "radius").shown == 0.002
-    box.setCurrentIndex(0)
-    box.activated.emit(0)
-    assert scene.session.layout.tools == ()
-
-
-def test_a_stone_is_of_the_density_and_friction_that_are_entered(scene):
-    scene.choose("stone")
-    enter(scene, "density", "2100")
-    enter(scene, "friction", "0.4")
-    enter(scene, "spheres", "9")
-
-    stone = part(scene, "stone")
-    assert (stone.density, stone.friction, stone.spheres) == (2100.0, 0.4, 9)
-    scene.choose("tray")
-    assert not find(scene, QuantityBox, "density").isVisibleTo(scene)
-    enter(scene, "friction", "0.1")
-    assert part(scene, "tray").friction == 0.1
 
 
 def test_what_a_killed_editor_left_of_a_scene_is_offered_and_taken_up(
