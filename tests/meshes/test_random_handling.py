@@ -188,6 +188,7 @@ def test_nor_does_one_for_some_seconds_on_any_scene_that_ships(name):
 @pytest.mark.parametrize("seed", range(10))
 @pytest.mark.parametrize("name", NAMES)
 def test_nor_do_ten_minutes(name, seed, request):
-    if name == STONE:
-        request.applymarker(pytest.mark.xfail(reason="jaws that are driven into a wall invert it"))
+    if (name, seed) == (STONE, 0):  # of the others nothing is known yet
+        reason = "jaws that are driven into a wall invert it"
+        request.applymarker(pytest.mark.xfail(reason=reason, strict=True, raises=AssertionError))
     handle_and_replay(name, seed, 60.0)

@@ -282,7 +282,7 @@ TEST_CASE("tissue pushes an object with a force, and what is pushed beside it is
   StagedStone staged(task);
   staged.world.rigid[0].tissue_force = {0.3, 0.0, 0.4};
   staged.put_stone({0.02, 0.02, 0.005});
-  // the middle vertex is pushed by somebody, and its neighbours are 10 mm off: 6.6332 mm aside is
+  // the middle vertex bears an external force, and its neighbours are 10 mm off: 6.6332 mm aside is
   // a stretch of sqrt(100 + 44) / 10 = 1.2
   staged.world.bodies[0].load.add({0, Vec3::UnitX(), Vec3(0, 0, -0.1)});
   const auto corner = static_cast<std::size_t>(staged.task.surfaces[0].triangles[0][0]);
