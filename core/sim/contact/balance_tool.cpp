@@ -124,9 +124,15 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
     const double most = 0.5 * around.shape.tool.radius;
     return to_hand.norm() <= most ? hand : Vec3(p + limit(to_hand, most));
   }
-  const Vec3 residual = limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force;
+  const Vec3 unlimited = coupling.stiffness * to_hand + touch.force;
+  const Mat3 stiff = coupling.stiffness * Mat3::Identity() + touch.stiffness;
+  const bool at_limit = is_at_limit(coupling, to_hand) &&
+                        !comes_within_limit(coupling, to_hand, stiff.llt().solve(unlimited));
+  const Vec3 residual =
+      at_limit ? limit(coupling.stiffness * to_hand, coupling.force_max) + touch.force : unlimited;
   const Mat3 jacobian =
-      find_pull_slope(coupling, to_hand, touch.contact, residual) + touch.stiffness;
+      at_limit ? find_pull_slope(coupling, to_hand, touch.contact, residual) + touch.stiffness
+               : stiff;
   const bool rubs = around.shape.tool.friction > 0.0 && !touch.contact.isZero(0.0);
   const Vec3 whole =
       rubs ? find_friction_step({residual - touch.contact, touch.contact,

@@ -143,7 +143,16 @@ Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, cons
   const double least = 1e-3 * around.grip * around.arm / kGripRise;
   jacobian(3, 3) = std::max(drive.slope + touch.angular + layer.slope + anchors.angular + drag,
                             std::max(least, 1e-12));
-  const Eigen::Vector4d step = jacobian.ldlt().solve(residual);
+  Eigen::Vector4d step = jacobian.ldlt().solve(residual);
+  if (is_at_limit(around.coupling, to_hand)) {
+    const double stiffness = around.coupling.stiffness;
+    residual.head<3>() +=
+        stiffness * to_hand - limit(stiffness * to_hand, around.coupling.force_max);
+    jacobian.topLeftCorner<3, 3>() =
+        stiffness * Mat3::Identity() + touch.stiffness + anchors.stiffness;
+    const Eigen::Vector4d unlimited = jacobian.ldlt().solve(residual);
+    if (comes_within_limit(around.coupling, to_hand, unlimited.head<3>())) step = unlimited;
+  }
   const double angle = place.jaws.angle();
   return {step.head<3>(), std::clamp(angle + step[3], place.least, place.most) - angle};
 }

@@ -71,3 +71,20 @@ TEST_CASE("a pull beyond the limit of the hand's spring is limited and still bal
   CHECK(felt.norm() == doctest::Approx(bench.coupling.force_max));
   CHECK((bench.force_on_particles() + felt).norm() < 1e-9);
 }
+
+TEST_CASE("a hand whose spring is at its limit within microns feels the patch, and not the limit") {
+  for (const double way : {1e-5, 1e-4, 1e-3}) {
+    Bench bench(make_ball());
+    bench.coupling.stiffness = 1e6;  // 5 N at 5 um
+    bench.move_hand({0, 0, 0.030});
+    bench.move_hand({0, 0, 0.0275}, 300);
+    attach_tool(bench.load, bench.mesh.triangles, bench.mesh.vertices, 400.0, bench.state);
+    const Vec3 hand(0.0, 0.0, 0.0275 + way);
+
+    const Vec3 at_once = bench.move_hand(hand);
+    const Vec3 at_rest = bench.move_hand(hand, 3000);
+
+    CHECK(at_rest.norm() < 1.0);
+    CHECK((at_once - at_rest).norm() < 0.05);
+  }
+}

@@ -50,4 +50,12 @@ inline Mat3 find_pull_slope(const Coupling& coupling, const Vec3& to_hand, const
   return whole - (coupling.stiffness - turned) * (n * n.transpose());
 }
 
+/// Whether a spring at its limit, after the step that it would make without one, is within it: so
+/// it is of a hand that is a little further off than K reaches. Such a step is right, where one
+/// under what the limit leaves goes far past the hand, or only as far as the limit over K.
+inline bool comes_within_limit(const Coupling& coupling, const Vec3& to_hand,
+                               const Vec3& step) noexcept {
+  return step.allFinite() && !is_at_limit(coupling, to_hand - step);
+}
+
 }  // namespace palpate
