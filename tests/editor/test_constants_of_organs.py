@@ -195,3 +195,11 @@ def test_a_hand_that_may_push_with_next_to_nothing_ends_no_run():
     organ = open_organ(PUBLISHED / "simple_tissue.palpate")
 
     assert name_verdict(organ, "hand.force_max", 1e-3) == BORNE
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("name", ["kidney", "gallbladder"])
+def test_a_hand_that_is_a_thousand_times_too_stiff_ends_no_run(name):
+    organ = open_organ(PUBLISHED / f"{name}.palpate")
+
+    assert name_verdict(organ, "hand.coupling", 1e3) == BORNE

@@ -202,6 +202,11 @@ struct Poke {
     other.candidates = &second;
     return balance_jaws(tool, coupling, hand, {{{&one, 1}, {&other, 1}}}, 5e-5, state);
   }
+  Vec3 move_hand_for(const Vec3& hand, int ticks) {
+    Vec3 felt = Vec3::Zero();
+    for (int i = 0; i < ticks; ++i) felt = move_hand(hand);
+    return felt;
+  }
   Vec3 push() const {
     Vec3 sum = Vec3::Zero();
     for (const Push& push : load.pushes()) sum += push.force;
@@ -259,5 +264,21 @@ TEST_CASE("jaws that let go of what stands still, under a hand at its limit, sta
 
     CHECK(poke.state.position == at);
     CHECK(after == felt);
+  }
+}
+
+TEST_CASE("jaws of a hand whose spring is at its limit within microns are not thrown past it") {
+  for (const double way : {1e-5, 5e-5}) {
+    CAPTURE(way);
+    Poke poke(5.0);
+    poke.coupling.stiffness = 1e6;  // 5 N at 5 um
+    poke.state.position = Vec3(0.0, 0.0, 0.025 + scenes::kJawRadius + 2e-5);
+    const Vec3 hand = poke.state.position - Vec3(0.0, 0.0, 3e-4), up(0.0, 0.0, way);
+    const Vec3 deep = poke.move_hand_for(hand, 300);
+    REQUIRE(deep.norm() < 2.5);
+
+    const Vec3 at_once = poke.move_hand(hand + up);
+
+    CHECK((at_once - poke.move_hand_for(hand + up, 300)).norm() < 0.05 * deep.norm());
   }
 }
