@@ -9,6 +9,7 @@ from pathlib import Path
 
 from palpate import FileError, scenario
 from palpate.files.refusal import Refusal
+from palpate.layout.document import FORMAT as LAYOUT_FORMAT
 
 from palpate_editor.document import Organ
 from palpate_editor.document.files import FORMAT, VERSION, read_organ, unpack_organ
@@ -38,6 +39,13 @@ def read_authored(path: Path) -> Organ:
     """The document a published file was made from. Raises FileError."""
     found = scenario.read(os.fspath(path))
     authored = json.loads(found.authored)
+    if authored.get("format") == LAYOUT_FORMAT:
+        raise FileError(
+            str(path),
+            "authored",
+            "a scene of several parts that a layout places",
+            "a single organ; `palpate scene` checks and changes layouts",
+        )
     if authored.get("format") != FORMAT:
         raise FileError(
             str(path), "authored", "no document of an editor", "a file that `palpate publish` wrote"

@@ -9,6 +9,8 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 from palpate.files.refusal import Refusal
+from palpate.layout.document import History, Layout
+from palpate.layout.layout_file import read_layout, write_layout
 from palpate.scene.mesh_file import read_mesh_file
 from palpate.scene.scene_file import (
     compile_scene,
@@ -137,6 +139,17 @@ def test_text_that_is_no_scene_is_refused(tmp_path, text):
 
     with pytest.raises(Refusal):
         read_scene_file(file)
+
+
+def test_another_kind_of_file_is_named(tmp_path):
+    layout = tmp_path / "two.layout.json"
+    write_layout(layout, History(Layout()))
+
+    with pytest.raises(Refusal, match="got a layout, expected a scene file"):
+        read_scene_file(layout)
+    write_scene_file(tmp_path / "organ.scene.json", SceneFile(OrganPart("a", "a.obj", "0" * 64)))
+    with pytest.raises(Refusal, match="got a scene file, expected a layout"):
+        read_layout(tmp_path / "organ.scene.json")
 
 
 def test_numbers_that_are_not_finite_are_refused(organ, tmp_path):

@@ -134,6 +134,15 @@ def test_a_file_no_editor_made_has_nothing_to_open(tmp_path):
         read_authored(tmp_path / "a.palpate")
 
 
+def test_a_published_layout_is_no_organ_and_says_so(tmp_path):
+    made = scenario.Scenario(scene=compile_organ(SPLEEN), title="two")
+    made.authored = json.dumps({"format": "palpate layout", "version": 3, "content": {}})
+    scenario.write(str(tmp_path / "a.palpate"), made)
+
+    with pytest.raises(palpate.FileError, match="a scene of several parts"):
+        read_authored(tmp_path / "a.palpate")
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [({"version": 99}, "authored.version"), ({"version": "1"}, "authored.version"),

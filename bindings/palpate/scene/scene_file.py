@@ -18,6 +18,7 @@ from typing import Any, get_type_hints
 import numpy as np
 
 import palpate
+from palpate.files.json_document import read_document
 from palpate.files.json_part import read_part
 from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal
@@ -60,21 +61,14 @@ def write_scene_file(path: Path, scene: SceneFile) -> None:
 
 def read_scene_file(path: Path) -> SceneFile:
     """Reads and checks a scene file. Raises Refusal or OSError."""
-    try:
-        data = json.loads(read_file(path, MOST_BYTES))
-    except (ValueError, RecursionError) as problem:
-        raise Refusal(path, "", f"text that is not JSON ({problem})", "a scene file") from None
-    if not isinstance(data, dict) or data.get("format") != FORMAT:
-        raise Refusal(
-            path,
-            "format",
-            repr(data.get("format")) if isinstance(data, dict) else "no object",
-            f'"{FORMAT}"',
-        )
-    if data.get("version") not in (1, VERSION):
-        raise Refusal(
-            path, "version", repr(data.get("version")), f"1 or {VERSION}, which this program knows"
-        )
+    data = read_document(
+        path,
+        format=FORMAT,
+        version=VERSION,
+        what="a scene file",
+        most_bytes=MOST_BYTES,
+        older=(1,),
+    )
     unknown = set(data) - set(PARTS) - {"format", "version"}
     if unknown:
         raise Refusal(path, "", f"unknown part {sorted(unknown)[0]!r}", ", ".join(PARTS))

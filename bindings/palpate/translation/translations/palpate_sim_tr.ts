@@ -3808,6 +3808,82 @@
         <translation>üçgeni olmayan bir bölge</translation>
     </message>
     <message>
+        <source>a layout</source>
+        <translation>bir yerleşim</translation>
+    </message>
+    <message>
+        <source>a record</source>
+        <translation>bir kayıt</translation>
+    </message>
+    <message>
+        <source>a published scenario</source>
+        <translation>yayımlanmış bir senaryo</translation>
+    </message>
+    <message>
+        <source>a script</source>
+        <translation>bir betik</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>bir PNG resmi</translation>
+    </message>
+    <message>
+        <source>an OBJ mesh</source>
+        <translation>bir OBJ ağı</translation>
+    </message>
+    <message>
+        <source>an STL mesh</source>
+        <translation>bir STL ağı</translation>
+    </message>
+    <message>
+        <source>a truth</source>
+        <translation>bir doğru çözüm</translation>
+    </message>
+    <message>
+        <source>an SVG picture</source>
+        <translation>bir SVG resmi</translation>
+    </message>
+    <message>
+        <source>findings of a study</source>
+        <translation>bir incelemenin bulguları</translation>
+    </message>
+    <message>
+        <source>the chart of an organ</source>
+        <translation>bir organın çizelgesi</translation>
+    </message>
+    <message>
+        <source>the atlas of an organ</source>
+        <translation>bir organın atlası</translation>
+    </message>
+    <message>
+        <source>a multi-rate chart</source>
+        <translation>bir çoklu hız çizelgesi</translation>
+    </message>
+    <message>
+        <source>the report of a self-test</source>
+        <translation>bir öz sınamanın raporu</translation>
+    </message>
+    <message>
+        <source>the report of a replay</source>
+        <translation>bir yeniden oynatmanın raporu</translation>
+    </message>
+    <message>
+        <source>the summary of a demo</source>
+        <translation>bir tanıtımın özeti</translation>
+    </message>
+    <message>
+        <source>a table of attempts</source>
+        <translation>bir denemeler tablosu</translation>
+    </message>
+    <message>
+        <source>a scene of several parts that a layout places</source>
+        <translation>bir yerleşimin yerleştirdiği, birkaç parçalı bir sahne</translation>
+    </message>
+    <message>
+        <source>a single organ; `palpate scene` checks and changes layouts</source>
+        <translation>tek bir organ; yerleşimleri `palpate scene` denetler ve değiştirir</translation>
+    </message>
+    <message>
         <source>another file than was added to the layout</source>
         <translation>yerleşime eklenenden başka bir dosya</translation>
     </message>
@@ -4025,7 +4101,7 @@
     </message>
     <message>
         <source>some in a layout of version %1</source>
-        <translation>%1 sürümlü bir düzende bir şey</translation>
+        <translation>%1 sürümlü bir yerleşimde bir şey</translation>
     </message>
     <message>
         <source>%1, where most, expected at most %2 mm: it was scanned as it lies, and here gravity pulls it down once more; hold it at more places, or go without gravity</source>
