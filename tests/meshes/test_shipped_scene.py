@@ -19,6 +19,7 @@ from palpate.layout.costs import find_far_side, press_pair, write_press
 from palpate.layout.gaps import find_least
 from palpate.layout.layout_file import read_layout
 from palpate.layout.publish import make_scenario
+from palpate.runs.press import find_top, find_top_on, take_surface
 
 SCENES = Path(palpate_meshes.__file__).parent / "scenes"
 LAYOUT = SCENES / "liver_gallbladder.layout.json"
@@ -54,6 +55,25 @@ def test_the_scene_is_what_its_layout_publishes(shipped):
     assert made.arrays.keys() == kept.arrays.keys()
     for name, rows in made.arrays.items():
         np.testing.assert_allclose(rows, kept.arrays[name], rtol=1e-9, atol=1e-12, err_msg=name)
+
+
+def test_a_hand_from_above_comes_to_the_liver_that_covers_the_gallbladder(shipped):
+    top = find_top(shipped.scene)
+
+    x, triangles = take_surface(shipped.scene, 1)
+    found = palpate.find_closest_point(palpate.AabbTree(x, triangles), x, top.point)
+    assert found.distance < 1e-9
+    assert top.outward[2] > 0.9
+
+
+def test_a_press_that_would_begin_inside_of_the_liver_is_refused(shipped, capsys):
+    hidden = find_top_on(*take_surface(shipped.scene, 0)).point  # of the gallbladder, in its fossa
+    at = ",".join(f"{1e3 * each:.2f}" for each in hidden)
+
+    assert main(["press", str(PUBLISHED), f"--at={at}"]) == 1
+
+    said = capsys.readouterr().err
+    assert "where the tip would begin inside of body 1, expected a place that can be" in said
 
 
 @pytest.mark.landing

@@ -9,16 +9,21 @@ from pathlib import Path
 
 import numpy as np
 
+import palpate
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import PICTURE, RECORD, SCRIPT
+from palpate.files.refusal import Refusal
+from palpate.layout.gaps import Surface
 from palpate.runs.pictures import plot_runs
 from palpate.runs.press import (
+    CLEARANCE,
     Place,
     PressScript,
     find_nearest_place,
     find_top,
     has_jaws,
+    take_surface,
     write_script,
 )
 from palpate.runs.run import read_scene, require_one_instrument, run_script, say_link
@@ -61,6 +66,7 @@ def run_press(call: argparse.Namespace) -> Report:
     scene = read_scene(call.scene)
     require_one_instrument(call.scene, scene)
     place: Place = find_top(scene) if call.at is None else find_nearest_place(scene, call.at)
+    require_reachable(call.scene, scene, place)
     script = PressScript(call.depth, call.pull, call.speed, call.hold)
     if call.script:
         write_script_file(
@@ -77,6 +83,22 @@ def run_press(call: argparse.Namespace) -> Report:
     report["plot"] = str(call.plot) if call.plot else None
     report["script"] = str(call.script) if call.script else None
     return report
+
+
+def require_reachable(path: Path, scene: palpate.Scene, place: Place) -> None:
+    """Raises Refusal where the tip would begin inside of a body."""
+    radius = scene.instruments[0].tool.radius
+    begin = place.point + place.outward * (radius + CLEARANCE)
+    for index in range(len(scene.bodies)):
+        gap = Surface(*take_surface(scene, index)).find_near(begin, 0.0, np.zeros(3))
+        if gap is not None and gap.size < 0.0:
+            x, y, z = 1e3 * place.point
+            raise Refusal(
+                path,
+                "--at",
+                f"({x:.1f}, {y:.1f}, {z:.1f}) mm, where the tip would begin inside of body {index}",
+                "a place that can be reached from outside",
+            )
 
 
 def describe_stiffness(stiffness: float | None) -> str:

@@ -61,19 +61,31 @@ class PressTimes:
     end: float
 
 
-def find_top(scene: palpate.Scene, body: int = 0) -> Place:
-    """Where a ray from above meets a body's surface over its centroid, or its highest vertex."""
-    return find_top_on(*take_surface(scene, body))
+def find_top(scene: palpate.Scene) -> Place:
+    """Where a ray from above, over the middle of the first body's surface, meets a body first; the
+    first body's highest vertex where it meets none.
+    """
+    surfaces = [take_surface(scene, body) for body in range(len(scene.bodies))]
+    x, triangles = surfaces[0]
+    middle = x[triangles].mean(axis=(0, 1))
+    tops = [top for each in surfaces if (top := find_under(*each, middle)) is not None]
+    if not tops:
+        return find_place_on(x, triangles, x[x[:, 2].argmax()])
+    return max(tops, key=lambda top: top.point[2])
 
 
 def find_top_on(x: np.ndarray, triangles: np.ndarray) -> Place:
     """The top of a surface: vertices [m] (n, 3), triangles (t, 3)."""
-    middle = x[triangles].mean(axis=(0, 1))
-    above = np.array([middle[0], middle[1], x[:, 2].max() + 0.01])
+    top = find_under(x, triangles, x[triangles].mean(axis=(0, 1)))
+    return top or find_place_on(x, triangles, x[x[:, 2].argmax()])
+
+
+def find_under(x: np.ndarray, triangles: np.ndarray, point: np.ndarray) -> Place | None:
+    """Where a ray from above through `point` [m] (3,) meets a surface; None where it does not."""
+    above = np.array([point[0], point[1], x[:, 2].max() + 0.01])
     tree = palpate.AabbTree(x, triangles)
     hit = palpate.find_ray_hit(tree, x, above, np.array([0.0, 0.0, -1.0]))
-    start = np.asarray(hit.point) if hit is not None else x[x[:, 2].argmax()]
-    return find_place_on(x, triangles, start)
+    return None if hit is None else find_place_on(x, triangles, np.asarray(hit.point))
 
 
 def find_place(scene: palpate.Scene, near: np.ndarray, body: int = 0) -> Place:
