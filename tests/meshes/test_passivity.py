@@ -3,12 +3,25 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import palpate
+import palpate_meshes
 import pytest
-from palpate.runs.press import PressScript, find_top, write_script
+from palpate.runs.press import (
+    Place,
+    PressScript,
+    find_top,
+    find_top_on,
+    take_surface,
+    write_script,
+)
+from palpate.runs.run import read_scene
 from scripted_hands import PUBLISHED, open_organ_scene
 from tiers import keep_everyday
 
+SCENES = Path(palpate_meshes.__file__).parent / "scenes"
 STONE = "kidney_stone"
 ORGANS = sorted(path.stem for path in PUBLISHED.glob("*.palpate"))
 PRESS = PressScript(depth=5e-3, pull=3e-3, speed=0.05, hold=0.1)
@@ -20,15 +33,23 @@ FLICK = PressScript(depth=8e-3, speed=0.5, hold=0.02)
 def feel(name: str, script: PressScript) -> palpate.SafeDevice:
     """The link to a hand that follows a script and is never moved by what it is sent."""
     scene = open_organ_scene(name)
-    frames, times = write_script(find_top(scene), scene.instruments[0].tool.radius, script)
+    return follow(scene, find_top(scene), script)[0]
+
+
+def follow(
+    scene: palpate.Scene, place: Place, script: PressScript
+) -> tuple[palpate.SafeDevice, float]:
+    """That link, and the least energy [J] that the hand was given: what it had put in, negative."""
+    frames, times = write_script(place, scene.instruments[0].tool.radius, script)
     for frame in frames:
         frame.time += WAIT
-    safe = palpate.SafeDevice(palpate.ScriptedDevice(frames))
+    safe, least = palpate.SafeDevice(palpate.ScriptedDevice(frames)), 0.0
     world, dt = palpate.World(scene), 1.0 / scene.rate
     for tick in range(round((WAIT + times.end) * scene.rate)):
         safe.write(palpate.tick(scene, safe.read(tick * dt), dt, world))
+        least = min(least, safe.given_energy())
     assert not world.alarm
-    return safe
+    return safe, least
 
 
 def some(names: list[str]) -> list[object]:
@@ -48,6 +69,18 @@ def test_a_press_and_a_pull_of_a_shipped_organ_are_not_damped(name):
 @pytest.mark.parametrize("name", [name for name in ORGANS if name != STONE])
 def test_nor_is_a_flick_of_an_organ(name):
     assert feel(name, FLICK).damped_count() == 0
+
+
+def test_nor_is_a_long_hold_where_an_organ_is_held():
+    """14 mJ are in the wall of a gallbladder that is pressed beside its attachment, and come back
+    however long that is held."""
+    scene = read_scene(SCENES / "liver_gallbladder.palpate")
+    place = find_top_on(*take_surface(scene, 0))
+
+    safe, least = follow(scene, place, replace(PRESS, depth=6e-3, pull=0.0, hold=1.0))
+
+    assert least < -0.01
+    assert safe.damped_count() == 0
 
 
 def test_nor_is_a_stone_that_is_struck():

@@ -19,7 +19,7 @@ from palpate.layout.costs import find_far_side, press_pair, write_press
 from palpate.layout.gaps import find_least
 from palpate.layout.layout_file import read_layout
 from palpate.layout.publish import make_scenario
-from palpate.runs.press import find_top, find_top_on, take_surface
+from palpate.runs.press import find_top, take_surface
 
 SCENES = Path(palpate_meshes.__file__).parent / "scenes"
 LAYOUT = SCENES / "liver_gallbladder.layout.json"
@@ -67,7 +67,10 @@ def test_a_hand_from_above_comes_to_the_liver_that_covers_the_gallbladder(shippe
 
 
 def test_a_press_that_would_begin_inside_of_the_liver_is_refused(shipped, capsys):
-    hidden = find_top_on(*take_surface(shipped.scene, 0)).point  # of the gallbladder, in its fossa
+    x, _ = take_surface(shipped.scene, 0)
+    liver, triangles = take_surface(shipped.scene, 1)
+    tree = palpate.AabbTree(liver, triangles)
+    hidden = min(x, key=lambda v: palpate.find_closest_point(tree, liver, v).distance)
     at = ",".join(f"{1e3 * each:.2f}" for each in hidden)
 
     assert main(["press", str(PUBLISHED), f"--at={at}"]) == 1

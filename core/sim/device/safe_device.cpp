@@ -93,7 +93,8 @@ void SafeDevice::follow_hand(double time) noexcept {
     last_move_ = sample.position - last_sample_.position;
     given_energy_ += sent_.force.dot(last_move_);
     if (sent_.force.isZero(0.0)) given_energy_ = std::max(given_energy_, 0.0);
-    given_energy_ -= given_energy_ * std::min(1.0, pause_ / kEnergyTime);
+    // what it put in is not: a spring that is held for long gives it back all the same
+    if (given_energy_ > 0.0) given_energy_ -= given_energy_ * std::min(1.0, pause_ / kEnergyTime);
   }
   warmth_ += (sent_.force.squaredNorm() - warmth_) * std::min(1.0, pause_ / limits_.heat_time);
   last_sample_ = sample;
