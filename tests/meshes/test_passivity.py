@@ -27,6 +27,7 @@ ORGANS = sorted(path.stem for path in PUBLISHED.glob("*.palpate"))
 PRESS = PressScript(depth=5e-3, pull=3e-3, speed=0.05, hold=0.1)
 WAIT = 0.25
 """[s] before it: in the first 0.2 s the force fades in, and a hand gets back more than it gave."""
+LONG = PressScript(depth=12e-3, speed=0.03, hold=2.0)
 FLICK = PressScript(depth=8e-3, speed=0.5, hold=0.02)
 
 
@@ -81,6 +82,12 @@ def test_nor_is_a_long_hold_where_an_organ_is_held():
 
     assert least < -0.01
     assert safe.damped_count() == 0
+
+
+@pytest.mark.landing
+@pytest.mark.parametrize("name", ["spleen", "gallbladder"])
+def test_nor_is_a_deep_press_that_is_held_for_seconds(name):
+    assert feel(name, LONG).damped_count() == 0
 
 
 def test_nor_is_a_stone_that_is_struck():

@@ -14,7 +14,8 @@ namespace {
 /// an impact; two ticks at 1 kHz.
 constexpr double kLongestGap = 2e-3;
 
-/// [s] in which energy that the hand was given is forgotten: it has moved the hand by then.
+/// [s] in which energy that the hand was given is forgotten: it has moved the hand by then. So is
+/// what it put in, but for what it may get back.
 constexpr double kEnergyTime = 1.0;
 
 /// The share of the heat that motors stand from which on the force is taken back.
@@ -76,7 +77,12 @@ HapticSample SafeDevice::read(double time) noexcept {
 ///     E += f_{k-1} . (x_k - x_{k-1}).
 ///
 /// What it put in while something was felt is forgotten once nothing is, so a long stroking of
-/// tissue, which swallows energy, does not hide what comes after it.
+/// tissue, which swallows energy, does not hide what comes after it; and meanwhile as far as it is
+/// more than the force f can give back on the way to where nothing was felt last, x_0:
+///
+///     no more than max(0, f . (x_0 - x)),
+///
+/// of whatever gets harder, or no softer, the deeper it is pressed.
 void SafeDevice::follow_hand(double time) noexcept {
   pause_ = std::clamp(time - now_, 0.0, kLongestGap);
   now_ = time;
@@ -92,9 +98,13 @@ void SafeDevice::follow_hand(double time) noexcept {
   if (has_sample_) {
     last_move_ = sample.position - last_sample_.position;
     given_energy_ += sent_.force.dot(last_move_);
-    if (sent_.force.isZero(0.0)) given_energy_ = std::max(given_energy_, 0.0);
-    // what it put in is not: a spring that is held for long gives it back all the same
-    if (given_energy_ > 0.0) given_energy_ -= given_energy_ * std::min(1.0, pause_ / kEnergyTime);
+    if (sent_.force.isZero(0.0)) {
+      given_energy_ = std::max(given_energy_, 0.0);
+      untouched_ = sample.position;
+    }
+    const double returned = std::max(0.0, sent_.force.dot(untouched_ - sample.position));
+    const double kept = std::clamp(-given_energy_, 0.0, returned);
+    given_energy_ -= (given_energy_ + kept) * std::min(1.0, pause_ / kEnergyTime);
   }
   warmth_ += (sent_.force.squaredNorm() - warmth_) * std::min(1.0, pause_ / limits_.heat_time);
   last_sample_ = sample;

@@ -113,8 +113,9 @@ class SafeDevice : public HapticDevice {
   long limited_count() const noexcept { return limited_count_; }
   /// How often the passivity controller had to.
   long damped_count() const noexcept { return damped_count_; }
-  /// [J] that the hand has been given since it last felt nothing, fading within a second. What a
-  /// force that is held gives it is left out as far as the device declares to take it up.
+  /// [J] that the hand has been given since it last felt nothing, fading within a second but for
+  /// what it put in and may get back. What a force that is held gives it is left out as far as the
+  /// device declares to take it up.
   double given_energy() const noexcept { return given_energy_; }
   /// Of what the motors stand for ever, 0 to 1.
   double heat() const noexcept;
@@ -135,6 +136,7 @@ class SafeDevice : public HapticDevice {
   DeviceDynamics dynamics_;
   HapticSample last_sample_;
   Vec3 last_move_ = Vec3::Zero();  ///< [m] of the hand between the last two reads
+  Vec3 untouched_ = Vec3::Zero();  ///< [m] where the hand was when it last was sent nothing
   HapticCommand sent_;
   bool has_sample_ = false;
   double now_ = 0.0;         ///< [s] of the last read

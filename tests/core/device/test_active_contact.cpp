@@ -180,3 +180,61 @@ TEST_CASE("an active contact's energy is observed at a position-controlled devic
     CHECK(strike({.position_source = true}, drive, most).damped > 0);
   }
 }
+
+namespace {
+
+/// What the observer has counted, second by second, of a hand that presses a spring and stays.
+struct Held {
+  std::vector<double> given;  // [J]
+  long damped = 0;
+};
+
+/// `deep` [m] into a spring in a second, `seconds` there, moved along it against `drag` [N·s/m] by
+/// 20 mm to and fro, and out in 0.3 s.
+Held hold(double deep, double seconds, double drag, const DeviceDynamics& declared = {}) {
+  Follower hand(declared);
+  SafeDevice safe(hand, {.ramp_time = 1e-3});
+  Held held;
+  const double end = 2.0 + seconds;
+  for (int k = 0; k <= std::lround((end + 0.5) / kDt); ++k) {
+    const double t = k * kDt;
+    const double in = std::clamp(t - 1.0, 0.0, 1.0), out = std::clamp((t - end) / 0.3, 0.0, 1.0);
+    const bool rests = t > 2.0 && t < end;
+    const double phase = 2.0 * M_PI * (t - 2.0);
+    hand.hand.position.z() = -deep * (in - out);
+    hand.hand.position.x() = rests ? 0.01 * std::sin(phase) : 0.0;
+    hand.hand.velocity.x() = rests ? 0.01 * 2.0 * M_PI * std::cos(phase) : 0.0;
+    hand.hand.velocity.z() = -deep * (t > 1.0 && t < 2.0) + deep / 0.3 * (t > end && out < 1.0);
+    const HapticSample sample = safe.read(t);
+    if (k % 1000 == 999) held.given.push_back(safe.given_energy());
+    const double pressed = std::max(0.0, -sample.position.z());
+    const double along = pressed > 0.0 ? -drag * sample.velocity.x() : 0.0;
+    safe.write({.force = {along, 0.0, 200.0 * pressed}});
+  }
+  held.damped = safe.damped_count();
+  return held;
+}
+
+}  // namespace
+
+// What a hand had put in was forgotten within a second, and what it got back of it was damped.
+TEST_CASE("a hand that has pressed for long gets back what it put in") {
+  for (const double seconds : {0.0, 1.0, 5.0}) {
+    CAPTURE(seconds);
+    for (const bool ideal : {false, true}) {
+      const Held held = hold(10e-3, seconds, 0.0, {.position_source = ideal});  // 10 mJ
+
+      CHECK(held.damped == 0);
+      CHECK(held.given.back() <= SafetyLimits{}.energy_max);
+    }
+  }
+}
+
+TEST_CASE("what stroked tissue swallows is forgotten but for what its force gives back at most") {
+  const Held held = hold(10e-3, 8.0, 1.0);  // 20 mW swallowed on the mean
+
+  // by hand: 2 N along 10 mm, where without forgetting it would be 10 + 160 mJ
+  CHECK(held.given[8] >= -0.02 * 1.1);
+  CHECK(held.given[8] <= -0.01);
+  CHECK(held.damped == 0);
+}
