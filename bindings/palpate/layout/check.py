@@ -19,8 +19,10 @@ from palpate.layout.document import Layout, PlacedBody
 from palpate.layout.gaps import find_least
 from palpate.layout.hard_checks import find_unsettled, name_numbers, note_hard_parts
 from palpate.layout.hard_parts import read_part_mesh
+from palpate.layout.pair_advice import PairAdvice, advise_pair, advise_slow_pair
 from palpate.layout.placed import read_placed
 from palpate.layout.separate import MOST_SHIFT, Separation
+from palpate.runs.alarms import tell_alarm
 from palpate.scene.tick_cost import TICK_SHARE
 
 
@@ -73,7 +75,7 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
         problems += find_unsettled(layout, scene)
     costs = measure_pairs(scene, assembly) if measures else {}
     if measures:
-        problems += find_cost_problems(layout, scene, costs)
+        problems += find_cost_problems(layout, scene, costs, assembly)
     return Checked(problems, scene, assembly, costs, parted)
 
 
@@ -175,23 +177,19 @@ def measure_pairs(scene: palpate.Scene, assembly: Assembly) -> dict[int, PairCos
 
 
 def find_cost_problems(
-    layout: Layout, scene: palpate.Scene, costs: dict[int, PairCosts]
+    layout: Layout, scene: palpate.Scene, costs: dict[int, PairCosts], assembly: Assembly
 ) -> list[Problem]:
     problems = []
     longest = TICK_SHARE / scene.rate
     for index, cost in costs.items():
         where = name_pair(layout, scene, index)
-        if cost.alarm:
-            problems.append(Problem(ERROR, where, f"pressed together: {cost.alarm}"))
-        if cost.least_gap < 0.0:
-            deep = f"{-1e3 * cost.least_gap:.2f} mm"
-            problems.append(Problem(ERROR, where, f"went {deep} through each other when pressed"))
-        if cost.tick_median > longest:
-            problems.append(
-                Problem(WARNING, where,
-                        f"a tick takes {1e6 * cost.tick_median:.0f} us here when they are pressed "
-                        f"together, expected at most {1e6 * longest:.0f} us")
-            )  # fmt: skip
+        if cost.end or cost.least_gap < 0.0:
+            advice = advise_pair(scene, index, assembly)
+            problems += describe_failed_press(scene, where, cost, advice)
+        elif cost.tick_median > longest:
+            quick = advise_slow_pair(scene, index, assembly)
+            said = describe_slow_press(1e6 * cost.tick_median, 1e6 * longest, quick)
+            problems.append(Problem(WARNING, where, said))
         if not cost.most_touching:
             problems.append(
                 Problem(NOTE, where, "did not touch when pressed towards each other: their cost "
@@ -202,6 +200,44 @@ def find_cost_problems(
             where = name_pair(layout, scene, index)
             problems.append(Problem(NOTE, where, "are too far apart to be pressed together"))
     return problems
+
+
+def describe_failed_press(
+    scene: palpate.Scene, where: str, cost: PairCosts, advice: PairAdvice | None
+) -> list[Problem]:
+    """An alarm, and bodies that went through each other."""
+    problems = []
+    if cost.end and advice is None:
+        told = tell_alarm(cost.end, scene, cost.end_body)
+        problems.append(Problem(ERROR, where, f"pressed together: {told}"))
+    elif cost.end:
+        said = f"pressed together with {advice.now}, and not with {advice.option}: {cost.alarm}"
+        problems.append(Problem(ERROR, where, said))
+    if cost.least_gap < 0.0:
+        deep = f"{-1e3 * cost.least_gap:.2g}"
+        said = f"went {deep} mm through each other when pressed"
+        if advice is not None:
+            said = (
+                f"went {deep} mm through each other when pressed with {advice.now}: with "
+                f"{advice.option} they do not"
+            )
+        problems.append(Problem(ERROR, where, said))
+    return problems
+
+
+def describe_slow_press(takes: float, most: float, quick: tuple[PairAdvice, float] | None) -> str:
+    """Times in us."""
+    if quick is None:
+        return (
+            f"a tick takes {takes:.0f} us here when they are pressed together, expected at most "
+            f"{most:.0f} us"
+        )
+    advice, substeps = quick
+    return (
+        f"a tick takes {takes:.0f} us here when they are pressed together, expected at most "
+        f"{most:.0f} us: {advice.now} asks for {substeps:.0f} substeps, {advice.option} for "
+        f"{advice.pressed.substeps:.0f}"
+    )
 
 
 def name_pair(layout: Layout, scene: palpate.Scene, index: int) -> str:

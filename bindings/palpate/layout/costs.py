@@ -9,7 +9,7 @@ import numpy as np
 
 import palpate
 from palpate.layout.gaps import Gap, Surface, find_least
-from palpate.runs.alarms import tell_alarm
+from palpate.runs.alarms import describe_alarm
 from palpate.runs.press import Place, PressScript, find_place, has_jaws, write_script
 
 PRESS = PressScript(depth=6e-3, speed=0.03, hold=0.2)
@@ -31,8 +31,29 @@ class PairCosts:
     """Vertices within the thickness, at most."""
     least_gap: float
     """[m] infinite where they never touched, below 0 where they went through each other."""
-    alarm: str
-    """What ended the press early; else empty."""
+    end: palpate.Alarm
+    """What ended the press early, or none."""
+    end_body: int
+    """Whose that is."""
+
+    @property
+    def alarm(self) -> str:
+        """What ended the press early, in English; else empty."""
+        return str(describe_alarm(self.end)) if self.end else ""
+
+
+@dataclass(frozen=True)
+class Pressed:
+    """How a press went."""
+
+    alarm: palpate.Alarm
+    body: int
+    """Whose alarm it is; -1 for none."""
+    most_touching: int
+    least_gap: float
+    """[m] As of PairCosts."""
+    substeps: float
+    """Of the body that took most, on the mean."""
 
 
 def press_pair(scene: palpate.Scene, index: int, surfaces: list[Surface]) -> PairCosts | None:
@@ -41,21 +62,32 @@ def press_pair(scene: palpate.Scene, index: int, surfaces: list[Surface]) -> Pai
     pair = scene.body_pairs[index]
     if pair.first == pair.second:
         return None
-    nearest = find_least(surfaces[pair.first], surfaces[pair.second], SEARCHED, np.zeros(3))
-    if nearest is None:
+    samples = write_press_of(scene, index, surfaces)
+    if not samples:
         return None
-    samples = write_press(scene, pair.second, find_far_side(surfaces[pair.second], nearest))
     costs = palpate.measure_costs(scene, samples)
-    touching, least, alarm = follow_pair(scene, index, samples)
+    pressed = follow_press(scene, index, samples)
     return PairCosts(
         costs.body_pairs[index].median,
         costs.body_pairs[index].p99,
         costs.tick.median,
         costs.tick.p99,
-        touching,
-        least,
-        alarm,
+        pressed.most_touching,
+        pressed.least_gap,
+        pressed.alarm,
+        pressed.body,
     )
+
+
+def write_press_of(
+    scene: palpate.Scene, index: int, surfaces: list[Surface]
+) -> list[palpate.HapticSample]:
+    """Of the second body of a pair against the first; none where they are too far apart."""
+    pair = scene.body_pairs[index]
+    nearest = find_least(surfaces[pair.first], surfaces[pair.second], SEARCHED, np.zeros(3))
+    if nearest is None:
+        return []
+    return write_press(scene, pair.second, find_far_side(surfaces[pair.second], nearest))
 
 
 def find_far_side(surface: Surface, nearest: Gap) -> np.ndarray:
@@ -81,17 +113,17 @@ def write_press(scene: palpate.Scene, body: int, near: np.ndarray) -> list[palpa
     return [hand.read(tick / scene.rate) for tick in range(ticks) for hand in hands]
 
 
-def follow_pair(
-    scene: palpate.Scene, index: int, samples: list[palpate.HapticSample]
-) -> tuple[int, float, str]:
-    """The most vertices that touch, the smallest gap [m], and what ended the press early."""
-    world, most, least = palpate.World(scene), 0, np.inf
+def follow_press(scene: palpate.Scene, index: int, samples: list[palpate.HapticSample]) -> Pressed:
+    """Ticks the scene through a press, up to its end or an alarm."""
+    world, most, least, substeps, ticks = palpate.World(scene), 0, np.inf, 0, 0
     count = len(scene.instruments)
     for tick in range(len(samples) // count):
         rows = samples[tick * count : (tick + 1) * count]
         palpate.tick(scene, rows, 1.0 / scene.rate, world)
         state = world.body_pairs[index]
         most, least = max(most, state.touching), min(least, state.least_gap)
+        substeps += max(body.substeps for body in world.bodies)
+        ticks += 1
         if world.alarm:
-            return most, float(least), tell_alarm(world.alarm, scene, world.alarm_body)
-    return most, float(least), ""
+            break
+    return Pressed(world.alarm, world.alarm_body, most, float(least), substeps / max(1, ticks))

@@ -260,6 +260,18 @@
         <translation>yerçekimi yok, taşlar yüzer: `palpate scene set LAYOUT --gravity=0,0,-9.81` ona yerçekimi verir</translation>
     </message>
     <message>
+        <source>went %1 mm through each other when pressed with %2: with %3 they do not</source>
+        <translation>%2 ile bastırılınca birbirinin %1 mm içinden geçtiler: %3 ile geçmezler</translation>
+    </message>
+    <message>
+        <source>pressed together with %1, and not with %2: %3</source>
+        <translation>%1 ile birbirine bastırılınca, %2 ile değil: %3</translation>
+    </message>
+    <message>
+        <source>a tick takes %1 us here when they are pressed together, expected at most %2 us: %3 asks for %4 substeps, %5 for %6</source>
+        <translation>birbirine bastırılınca bir adım burada %1 us sürüyor, en çok %2 us olmalı: %3 %4 alt adım ister, %5 ise %6</translation>
+    </message>
+    <message>
         <source>went %1 mm through each other when pressed</source>
         <translation>bastırılınca birbirinin %1 mm içinden geçtiler</translation>
     </message>
