@@ -114,7 +114,11 @@ PackedState::PackedState(const PackedModel& model, const TissueModel& tissue, co
       pushed(static_cast<std::size_t>(model.slice_count), has_added_forces(model)),
       slices(model.slice_count),
       packs(model.triangles.pack_count),
-      skin(model.skin.pack_count) {
+      skin(model.skin.pack_count),
+      faces(kFaceColumns * model.volumes.inverse_rest.size() *
+                (model.volumes.stiffness_around.empty() ? 0 : 1),
+            0.0f),
+      volume_sums(model.volumes.stiffness_around.size(), 0.0f) {
   const std::size_t rows = 4 * model.particle.size();
   position_rows.fill(CacheAligned<float>(rows, 0.0f));
   if (!model.links.damping.values.empty() || !model.triangles.bond_damping.values.empty() ||

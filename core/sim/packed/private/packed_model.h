@@ -66,6 +66,9 @@ struct PackedVolumes {
   CacheAligned<float> stiffness_around;     ///< [Pa] of their mean, a quarter; empty likewise
 };
 
+/// Numbers of a tetrahedron in PackedState::faces.
+inline constexpr std::size_t kFaceColumns = 10;
+
 /// Prisms of a wall, `width` of them in a pack. Columns hold three vectors per pack, one for each
 /// side, as in Prisms. Lanes without one have six times the same corner.
 struct PackedPrisms {
@@ -157,6 +160,10 @@ struct PackedState {
       slice_energy;                 ///< [J] elastic, when last measured; empty without an ActiveSet
   CacheAligned<float> pack_energy;  ///< [J] likewise
   double asleep_energy = 0.0;       ///< [J] of what is not in the lists
+
+  // work space of the law of volumes, empty without means around particles
+  CacheAligned<float> faces;  ///< per pack: three faces [m²] and six volumes [m³] of each lane
+  CacheAligned<float> volume_sums;  ///< [m³] of six volumes around each row; 0 between steps
 
   double last_dt = 0.0;                       ///< [s] of the step before
   std::vector<CacheAligned<float>> internal;  ///< of each law of the kernels, variables of its own

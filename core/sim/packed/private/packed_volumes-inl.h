@@ -60,15 +60,27 @@ HWY_INLINE hn::Mask<Lanes> is_tetrahedron(const int* corner) {
   return differ(corner, corner + kWidth);
 }
 
-/// Adds the volumes of a pack to the fourth numbers of the force rows of its corners.
+/// Adds the volumes of a pack to the sums of its corners, and keeps its faces for push_pack(). One
+/// after the other, for a row may come twice; a loop would cost as much as it adds.
 HWY_INLINE void add_volumes(const PackedVolumes& volumes, std::size_t pack, const float* rows,
-                            float* sums) {
+                            float* faces, float* sums) {
   const int* corner = volumes.corner.data() + 4 * kWidth * pack;
-  HWY_ALIGN float six_volumes[kWidth];
-  hn::Store(compute_faces(rows, corner).six_volumes, kLanes, six_volumes);
-  for (std::size_t k = 0; k < 4 * kWidth; ++k) {
-    sums[4 * static_cast<std::size_t>(corner[k]) + 3] += six_volumes[k % kWidth];
+  const Faces found = compute_faces(rows, corner);
+  store_points(found.b, faces);
+  store_points(found.c, faces + 3 * kWidth);
+  store_points(found.d, faces + 6 * kWidth);
+  float* six_volumes = faces + 9 * kWidth;
+  hn::Store(found.six_volumes, kLanes, six_volumes);
+  for (std::size_t c = 0; c < 4; ++c) {
+    const int* rows_of_corner = corner + c * kWidth;
+#pragma GCC unroll 16
+    for (std::size_t k = 0; k < kWidth; ++k) sums[rows_of_corner[k]] += six_volumes[k];
   }
+}
+
+HWY_INLINE Faces load_faces(const float* faces) {
+  return {load_points(faces), load_points(faces + 3 * kWidth), load_points(faces + 6 * kWidth),
+          load(faces + 9 * kWidth)};
 }
 
 /// Makes of the volume around each particle of a slice the pressure there, and leaves that as the
@@ -77,14 +89,11 @@ template <bool measured>
 HWY_INLINE void average_slice(const PackedVolumes& volumes, std::size_t s, float* rows, float* sums,
                               Sums& measure) {
   HWY_ALIGN float lanes[kWidth];
-  for (std::size_t r = 0; r < kWidth; ++r) {
-    float& sum = sums[4 * (kWidth * s + r) + 3];
-    lanes[r] = sum;
-    sum = 0.0f;
-  }
+  const Real sum = load(sums + kWidth * s);
+  hn::Store(hn::Zero(kLanes), kLanes, sums + kWidth * s);
   const Real inverse_rest = load(volumes.inverse_rest_around.data() + kWidth * s);
   const Real stiffness = load(volumes.stiffness_around.data() + kWidth * s);
-  const Real j = hn::Mul(load(lanes), inverse_rest);
+  const Real j = hn::Mul(sum, inverse_rest);
   const Law law = compute_law<measured>(j);
   hn::Store(hn::Mul(stiffness, law.slope), kLanes, lanes);
   for (std::size_t r = 0; r < kWidth; ++r) rows[4 * (kWidth * s + r) + 3] = lanes[r];
@@ -99,9 +108,14 @@ HWY_INLINE void average_slice(const PackedVolumes& volumes, std::size_t s, float
 
 template <bool nodal, bool measured>
 HWY_INLINE void push_pack(const PackedVolumes& volumes, std::size_t pack, const float* rows,
-                          float* force_rows, Sums& sums) {
+                          const float* kept, float* force_rows, Sums& sums) {
   const int* corner = volumes.corner.data() + 4 * kWidth * pack;
-  const Faces faces = compute_faces(rows, corner);
+  Faces faces;
+  if constexpr (nodal) {
+    faces = load_faces(kept);
+  } else {
+    faces = compute_faces(rows, corner);
+  }
   const Real inverse_rest = load(volumes.inverse_rest.data() + kWidth * pack);
   const Real j = hn::Mul(faces.six_volumes, inverse_rest);
   Real pressure = hn::Zero(kLanes);
@@ -137,14 +151,19 @@ void push_all(const PackedModel& model, PackedState& state, Sums& sums) {
   const auto packs = static_cast<std::size_t>(volumes.pack_count);
   float* rows = state.position_rows[static_cast<std::size_t>(state.current)].data();
   float* forces = state.force_rows.data();
+  [[maybe_unused]] float* faces = state.faces.data();
   if constexpr (nodal) {
-    for (std::size_t p = 0; p < packs; ++p) add_volumes(volumes, p, rows, forces);
+    float* volumes_around = state.volume_sums.data();
+    for (std::size_t p = 0; p < packs; ++p) {
+      add_volumes(volumes, p, rows, faces + kFaceColumns * kWidth * p, volumes_around);
+    }
     for (std::size_t s = 0; s < static_cast<std::size_t>(model.slice_count); ++s) {
-      average_slice<measured>(volumes, s, rows, forces, sums);
+      average_slice<measured>(volumes, s, rows, volumes_around, sums);
     }
   }
   for (std::size_t p = 0; p < packs; ++p) {
-    push_pack<nodal, measured>(volumes, p, rows, forces, sums);
+    const float* kept = nodal ? faces + kFaceColumns * kWidth * p : nullptr;
+    push_pack<nodal, measured>(volumes, p, rows, kept, forces, sums);
   }
 }
 
