@@ -197,3 +197,10 @@ TEST_CASE("G6: every kind of body is grasped again and again as at first, with t
     check_again(kind, 3);
   }
 }
+
+TEST_CASE("G6: and every kind of body a thousand times" * doctest::test_suite("verify")) {
+  for (const Kind& kind : make_kinds()) {
+    CAPTURE(kind.name);
+    check_again(kind, 1000);
+  }
+}

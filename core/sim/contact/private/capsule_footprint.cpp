@@ -136,6 +136,49 @@ double integrate_whole(const Strip& strip, SumSlices sum) noexcept {
   return sums.force;
 }
 
+/// A capsule over a triangle's plane.
+struct Section {
+  explicit Section(const NearPressure& law) noexcept : strip{law} {}
+  Strip strip;
+  Vec3 low, direction;               // the axis' lower end [m], and unit from there
+  Vec3 normal, along, beside, foot;  // of the plane: unit, along the axis, beside it; [m] below low
+  double twice_area = 0.0;           // [m²]
+};
+
+/// False where the triangle has no plane, or the capsule does not reach it from its front.
+bool find_section(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b, const Vec3& c,
+                  Section& section) noexcept {
+  Strip& strip = section.strip;
+  const Vec3 across = (b - a).cross(c - a);
+  section.twice_area = across.norm();
+  if (!(section.twice_area > 0.0)) return false;
+  const Vec3 normal = across / section.twice_area;
+  const bool turned = (to - from).dot(normal) < 0.0;
+  const Vec3 &low = turned ? to : from, &high = turned ? from : to;
+  const double length = (high - low).norm();
+  const Vec3 direction = length > 0.0 ? Vec3((high - low) / length) : Vec3(Vec3::Zero());
+  strip.rise = std::clamp(direction.dot(normal), 0.0, 1.0);
+  strip.height = (low - a).dot(normal);
+  const Vec3 flat = direction - strip.rise * normal;
+  strip.flat = flat.norm();
+  section.along = strip.flat > kUpright ? Vec3(flat / strip.flat) : Vec3((b - a).normalized());
+  section.beside = normal.cross(section.along);
+  section.foot = low - strip.height * normal;
+  section.low = low;
+  section.direction = direction;
+  section.normal = normal;
+  strip.last = length;
+  if (strip.height < 0.0) {
+    if (!(strip.height_at(length) > 0.0)) return false;
+    strip.first = -strip.height / strip.rise;
+  }
+  if (!(strip.height_at(strip.first) < strip.law.radius)) return false;
+  if (strip.height_at(length) > strip.law.radius) {
+    strip.last = std::max(strip.first, (strip.law.radius - strip.height) / strip.rise);
+  }
+  return true;
+}
+
 }  // namespace
 
 /// The footprint is cut into slices across the axis. Under a slice the capsule's lower side is that
@@ -145,30 +188,11 @@ bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, cons
                                  const Vec3& a, const Vec3& b, const Vec3& c, Footprint& footprint,
                                  bool whole, SumSlices sum) noexcept {
   if (sum == nullptr) sum = sum_slices;
-  const Vec3 across = (b - a).cross(c - a);
-  const double twice_area = across.norm();
-  if (!(twice_area > 0.0)) return false;
-  const Vec3 normal = across / twice_area;
-  const bool turned = (to - from).dot(normal) < 0.0;
-  const Vec3 &low = turned ? to : from, &high = turned ? from : to;
-  const double length = (high - low).norm();
-  const Vec3 direction = length > 0.0 ? Vec3((high - low) / length) : Vec3(Vec3::Zero());
-  Strip strip{law};
-  strip.rise = std::clamp(direction.dot(normal), 0.0, 1.0);
-  strip.height = (low - a).dot(normal);
-  const Vec3 flat = direction - strip.rise * normal;
-  strip.flat = flat.norm();
-  const Vec3 along = strip.flat > kUpright ? Vec3(flat / strip.flat) : Vec3((b - a).normalized());
-  const Vec3 beside = normal.cross(along), foot = low - strip.height * normal;
-  strip.last = length;
-  if (strip.height < 0.0) {
-    if (!(strip.height_at(length) > 0.0)) return false;
-    strip.first = -strip.height / strip.rise;
-  }
-  if (!(strip.height_at(strip.first) < law.radius)) return false;
-  if (strip.height_at(length) > law.radius) {
-    strip.last = std::max(strip.first, (law.radius - strip.height) / strip.rise);
-  }
+  Section section(law);
+  if (!find_section(from, to, a, b, c, section)) return false;
+  const Strip& strip = section.strip;
+  const Vec3 &along = section.along, &beside = section.beside, &normal = section.normal;
+  const Vec3& foot = section.foot;
 
   Corners corners;
   double begin = std::numeric_limits<double>::infinity(), end = -begin;
@@ -192,8 +216,8 @@ bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, cons
 
   const double one = 1.0 / sums.force;
   const Vec3 y = foot + one * (sums.along_plane * along + sums.beside * beside) - a;
-  const double v = normal.dot(y.cross(c - a)) / twice_area;
-  const double w = normal.dot((b - a).cross(y)) / twice_area;
+  const double v = normal.dot(y.cross(c - a)) / section.twice_area;
+  const double w = normal.dot((b - a).cross(y)) / section.twice_area;
   const Vec3 middle = Vec3(1.0 - v - w, v, w).cwiseMax(0.0);
   const double at = sums.along_axis * one;
   footprint.normal_force = sums.force;
@@ -204,9 +228,17 @@ bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, cons
   footprint.weights = middle / middle.sum();
   footprint.stiffness = sums.stiffness;
   footprint.depth = law.radius - strip.height_at(at);
-  footprint.axis = low + at * direction;
+  footprint.axis = section.low + at * section.direction;
   footprint.spread = std::max(0.0, sums.squared * one - at * at);
   return true;
+}
+
+double integrate_capsule_plane(const NearPressure& law, const Vec3& from, const Vec3& to,
+                               const Vec3& a, const Vec3& b, const Vec3& c,
+                               SumSlices sum) noexcept {
+  Section section(law);
+  if (!find_section(from, to, a, b, c, section)) return 0.0;
+  return integrate_whole(section.strip, sum == nullptr ? sum_slices : sum);
 }
 
 }  // namespace palpate

@@ -65,4 +65,9 @@ bool integrate_capsule_footprint(const NearPressure& law, const Vec3& from, cons
                                  const Vec3& a, const Vec3& b, const Vec3& c, Footprint& footprint,
                                  bool whole = true, SumSlices sum = nullptr) noexcept;
 
+/// [N] The whole_force alone: of pressures on the triangle's plane, were it as wide as they are.
+double integrate_capsule_plane(const NearPressure& law, const Vec3& from, const Vec3& to,
+                               const Vec3& a, const Vec3& b, const Vec3& c,
+                               SumSlices sum = nullptr) noexcept;
+
 }  // namespace palpate

@@ -194,16 +194,15 @@ Contact combine(const Tool& tool, const Contact& closest, const Contact& soft,
 /// Below the ball or the capsule, which with a near field is one. From behind, `side` -1, the
 /// triangle is the same one turned over.
 bool integrate(const NearPressure& law, const Axes& axes, const Vec3& p, double side, const Vec3& a,
-               const Vec3& b, const Vec3& c, Footprint& part, bool whole = false,
-               SumSlices sum = nullptr) noexcept {
+               const Vec3& b, const Vec3& c, Footprint& part, SumSlices sum = nullptr) noexcept {
   if (side < 0.0) {
-    const bool pressed = integrate(law, axes, p, 1.0, a, c, b, part, whole, sum);
+    const bool pressed = integrate(law, axes, p, 1.0, a, c, b, part, sum);
     std::swap(part.weights[1], part.weights[2]);
     return pressed;
   }
   if (axes.count == 0) return integrate_footprint(law, p, a, b, c, part);
   const Capsule& axis = axes.capsules[0];
-  return integrate_capsule_footprint(law, p + axis.from, p + axis.to, a, b, c, part, whole, sum);
+  return integrate_capsule_footprint(law, p + axis.from, p + axis.to, a, b, c, part, false, sum);
 }
 
 /// The pressures on one triangle as they are.
@@ -241,12 +240,15 @@ void leave_to_holds(const Vec3& position, const NearContacts& contacts, NearGain
   gain.slope *= left > 0.0 ? std::max(left, 1.0 - grip.stiffness / std::max(slope, 1e-300)) : 0.0;
 }
 
-/// Pressures as they are on all triangles; of a capsule with those on `whole` planes, or without.
-Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const Vec3& p,
-                      bool whole) noexcept {
+SumSlices choose_sum(const Shape& shape, const TouchedSurface& surface) noexcept {
+  return shape.axes.count > 0 ? find_slice_sums(surface.candidates->lanes) : nullptr;
+}
+
+/// Pressures as they are on all triangles; of a capsule without those on whole planes.
+Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
   const NearPressure law = make_law(*surface.near, shape.tool);
   NearContacts& contacts = surface.candidates->near;
-  const SumSlices sum = shape.axes.count > 0 ? find_slice_sums(surface.candidates->lanes) : nullptr;
+  const SumSlices sum = choose_sum(shape, surface);
   Patch patch;
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
     const Triangle& t = surface.triangles[static_cast<std::size_t>(contacts.triangle[i])];
@@ -258,9 +260,7 @@ Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const V
     contacts.contact[i].force = contacts.contact[i].stiffness = 0.0;
     Footprint part;
     const double side = find_openness(*surface.candidates, contacts.triangle[i]).side;
-    if (!integrate(law, shape.axes, p, side, corner(0), corner(1), corner(2), part, whole, sum)) {
-      continue;
-    }
+    if (!integrate(law, shape.axes, p, side, corner(0), corner(1), corner(2), part, sum)) continue;
     const double share = find_share(closest, part.normal);
     contacts.contact[i] = press(part, closest, share);
     patch.add(*surface.near, t, compute_point(t, part.weights, surface.x) - p, part.axis - p, share,
@@ -269,11 +269,37 @@ Patch press_triangles(const Shape& shape, const TouchedSurface& surface, const V
   return patch;
 }
 
+/// [N²] Patch::whole of a capsule, on whole planes. What press() has kept of a triangle is F share
+/// along the pressures; along the plane's normal that is its force again.
+double press_planes(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
+  const NearPressure law = make_law(*surface.near, shape.tool);
+  const NearContacts& contacts = surface.candidates->near;
+  const SumSlices sum = choose_sum(shape, surface);
+  const Vec3 from = p + shape.axes.capsules[0].from, to = p + shape.axes.capsules[0].to;
+  double whole = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
+    const Contact& contact = contacts.contact[i];
+    if (!(contact.force > 0.0)) continue;
+    const Triangle& t = surface.triangles[static_cast<std::size_t>(contacts.triangle[i])];
+    const bool behind = find_openness(*surface.candidates, contacts.triangle[i]).side < 0.0;
+    const Vec3& a = surface.x[static_cast<std::size_t>(t[0])];
+    const Vec3& b = surface.x[static_cast<std::size_t>(t[behind ? 2 : 1])];
+    const Vec3& c = surface.x[static_cast<std::size_t>(t[behind ? 1 : 2])];
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    const double share = find_share(contacts.closest[i], normal);
+    const double q = contact.force * contact.direction.dot(normal);
+    if (!(share > 0.0 && q > 0.0)) continue;
+    whole += q * std::max(integrate_capsule_plane(law, from, to, a, b, c, sum), q / share);
+  }
+  return whole;
+}
+
 /// What whole planes would bear counts in a groove alone, and of a capsule is costly to know.
 Patch press_patch(const Shape& shape, const TouchedSurface& surface, const Vec3& p) noexcept {
-  const Patch patch = press_triangles(shape, surface, p, false);
+  Patch patch = press_triangles(shape, surface, p);
   if (shape.axes.count == 0 || !(patch.force > 0.0) || Dent(patch).part == 1.0) return patch;
-  return press_triangles(shape, surface, p, true);
+  patch.whole = press_planes(shape, surface, p);
+  return patch;
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ constexpr double kEased = 0.02;
 /// Substeps that jaws on a solid under a skin may ask for at most. The particles under a skin are
 /// heavy, none flies past a jaw in a substep as those of a membrane do, for which there may be
 /// more; and what a jaw squeezes is as stiff as its bound says for its own small motions alone.
-constexpr double kMostOnSkin = 12.0;
+constexpr double kMostOnSkin = 8.0;
 
 /// A tissue that is this much stiffer gets other substeps: 0.9² of stable_step() has room for it.
 constexpr double kStiffening = 1.2;
