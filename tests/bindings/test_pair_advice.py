@@ -14,7 +14,8 @@ from palpate.layout.check import find_cost_problems, measure_pairs
 from palpate.layout.costs import Pressed
 from palpate.layout.document import Layout
 from palpate.layout.layout_file import read_layout
-from palpate.layout.pair_advice import UNITS, find_nearest, write_option
+from palpate.layout.nearest_value import find_nearest_value
+from palpate.layout.pair_advice import UNITS, write_option
 
 LAYOUT = Path(__file__).resolve().parents[2] / "meshes" / "scenes" / "liver_gallbladder.layout.json"
 
@@ -60,10 +61,10 @@ def test_the_nearest_value_that_is_borne_lies_between_what_it_is_and_what_is_usu
         tried.append(value)
         return pressed if value >= 2e4 else None
 
-    found, _ = find_nearest(press, 4e3, 9e7)
+    found, _ = find_nearest_value(press, 4e3, 9e7)
 
     # by hand: usual, 4e4, then sqrt(4e3 4e4) = 13e3, then sqrt(13e3 4e4) = 23e3
     assert tried == [9e7, 4e4, 1.3e4, 2.3e4]
     assert found == 2.3e4
-    assert find_nearest(lambda _: None, 4e3, 9e7) is None
-    assert find_nearest(lambda _: pressed, 5e3, 5e3) == (5e3, pressed)
+    assert find_nearest_value(lambda _: None, 4e3, 9e7) is None
+    assert find_nearest_value(lambda _: pressed, 5e3, 5e3) == (5e3, pressed)

@@ -72,7 +72,7 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
         said = name_numbers(layout, str(problem).removeprefix("scene: "))
         return Checked([*problems, Problem(ERROR, "scene", said)], None, assembly, {}, parted)
     if measures and (scene.rigid or layout.gravity):
-        problems += find_unsettled(layout, scene)
+        problems += find_unsettled(layout, scene, assembly)
     costs = measure_pairs(scene, assembly) if measures else {}
     if measures:
         problems += find_cost_problems(layout, scene, costs, assembly)

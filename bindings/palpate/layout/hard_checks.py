@@ -9,7 +9,9 @@ import palpate
 from palpate.assessment.check_problem import ERROR, NOTE, WARNING, Problem
 from palpate.layout.assemble import Assembly
 from palpate.layout.document import Layout
-from palpate.layout.settle import SETTLED, Settled, settle
+from palpate.layout.rest_advice import RestAdvice, advise_rest
+from palpate.layout.settle import SETTLED, Rest, Settled, settle
+from palpate.runs.alarms import describe_alarm, tell_alarm
 
 ROUGH = 0.15
 """[-] Of a stone's length: a hull that lies deeper in the mesh is seen to."""
@@ -42,11 +44,11 @@ def note_hard_parts(layout: Layout, assembly: Assembly) -> list[Problem]:
     return problems
 
 
-def find_unsettled(layout: Layout, scene: palpate.Scene) -> list[Problem]:
+def find_unsettled(layout: Layout, scene: palpate.Scene, assembly: Assembly) -> list[Problem]:
     """Of stones that float or fall away, and of all that moves before any hand comes."""
     rest = settle(scene)
-    if rest.alarm:
-        return [Problem(ERROR, "scene", f"without any hand: {rest.alarm}")]
+    if rest.end:
+        return [describe_end(scene, rest, advise_rest(assembly))]
     problems = []
     if layout.stones and not any(scene.gravity):
         problems.append(
@@ -72,6 +74,16 @@ def find_unsettled(layout: Layout, scene: palpate.Scene) -> list[Problem]:
             said = f"{describe(body)}, where most: gravity, or what it lies on, moves it"
             problems.append(Problem(NOTE, organ.name, said))
     return problems
+
+
+def describe_end(scene: palpate.Scene, rest: Rest, advice: RestAdvice | None) -> Problem:
+    """Of a run that ends before any hand comes."""
+    if advice is None:
+        alarm = tell_alarm(rest.end, scene, rest.end_body)
+        return Problem(ERROR, "scene", f"without any hand: {alarm}")
+    alarm = str(describe_alarm(rest.end))
+    said = f"without any hand, with {advice.now} and not with {advice.option}: {alarm}"
+    return Problem(ERROR, advice.where, said)
 
 
 def describe(settled: Settled) -> str:

@@ -4,18 +4,16 @@ towards each other, and the nearest value of it that does."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import palpate
 from palpate.layout.assemble import Assembly, build, choose_barriers
 from palpate.layout.costs import Pressed, follow_press, write_press_of
+from palpate.layout.nearest_value import find_nearest_value, round_to_two
 
 UNITS = {"thickness": "m", "stiffness": "N/m3"}
 """Of options with the constants that may be wrong."""
-STEP, HALVINGS = 10.0, 2
-"""[-] Between two values that are tried; then of the last step."""
 FAR = 5.0
 """[-] Times what would be chosen: nearer than that a constant is not suspected of many substeps."""
 SPARE = 1.3
@@ -85,7 +83,7 @@ def find_advice(trial: PairTrial, bears: Bears) -> PairAdvice | None:
             pressed = trial.press(name, tried)
             return pressed if pressed is not None and bears(pressed) else None
 
-        found = find_nearest(press, value, trial.choose_usual(name))
+        found = find_nearest_value(press, value, trial.choose_usual(name))
         if found is not None:
             return PairAdvice(name, value, *found)
     return None
@@ -132,34 +130,3 @@ class PairTrial:
 
     def follow(self, scene: palpate.Scene) -> Pressed:
         return follow_press(scene, self.index, self.samples)
-
-
-def find_nearest(
-    press: Callable[[float], Pressed | None], value: float, usual: float
-) -> tuple[float, Pressed] | None:
-    """Between a value and the usual one, the nearest that is borne, in two digits."""
-    borne = press(usual)
-    if borne is None:
-        return None
-    good, bad = usual, value
-    way = math.copysign(1.0, math.log(usual / value)) if usual != value else 0.0
-    steps = math.ceil(abs(math.log(usual / value)) / math.log(STEP))
-    for power in range(1, steps):
-        tried = round_to_two(value * STEP ** (way * power))
-        pressed = press(tried)
-        if pressed is not None:
-            good, borne = tried, pressed
-            break
-        bad = tried
-    for _ in range(HALVINGS):
-        tried = round_to_two(math.sqrt(good * bad))
-        pressed = press(tried)
-        if pressed is not None:
-            good, borne = tried, pressed
-        else:
-            bad = tried
-    return good, borne
-
-
-def round_to_two(value: float) -> float:
-    return float(f"{value:.2g}")

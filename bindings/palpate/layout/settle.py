@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import palpate
-from palpate.runs.alarms import tell_alarm
 from palpate.runs.other_hands import park
 
 SETTLED = 1.0
@@ -32,8 +31,10 @@ class Rest:
 
     stones: list[Settled]
     bodies: list[Settled]
-    alarm: str
-    """What ended the second early, else nothing."""
+    end: palpate.Alarm
+    """What ended the second early, or none."""
+    end_body: int
+    """Whose that is."""
 
 
 def settle(scene: palpate.Scene) -> Rest:
@@ -42,11 +43,9 @@ def settle(scene: palpate.Scene) -> Rest:
         palpate.HapticSample(position=park(scene, number))
         for number in range(len(scene.instruments))
     ]
-    alarm = ""
     for _ in range(round(SETTLED * scene.rate)):
         palpate.tick(scene, away, 1.0 / scene.rate, world)
         if world.alarm:
-            alarm = tell_alarm(world.alarm, scene, world.alarm_body)
             break
     stones = [
         Settled(measure(state.position, body.position), measure(state.velocity))
@@ -57,7 +56,7 @@ def settle(scene: palpate.Scene) -> Rest:
                 measure(state.tissue.velocity))
         for state, body in zip(world.bodies, scene.bodies, strict=True)
     ]  # fmt: skip
-    return Rest(stones, bodies, alarm)
+    return Rest(stones, bodies, world.alarm, world.alarm_body)
 
 
 def measure(now: ArrayLike, before: ArrayLike = 0.0) -> float:

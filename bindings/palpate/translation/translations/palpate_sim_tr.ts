@@ -4140,6 +4140,10 @@
         <translation>birbirine bastırılınca: %1</translation>
     </message>
     <message>
+        <source>without any hand, with %1 and not with %2: %3</source>
+        <translation>hiçbir el yokken, %1 ile ve %2 ile değil: %3</translation>
+    </message>
+    <message>
         <source>without any hand: %1</source>
         <translation>hiçbir el yokken: %1</translation>
     </message>
