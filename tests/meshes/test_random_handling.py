@@ -23,8 +23,8 @@ NAMES = (
     "kidney_stone_removal",
 )
 STONE = "kidney_stone_removal"
-"""Jaws of 1.2 mm, driven into the rim of its tract at 0.13 m/s, invert a tetrahedron under 0.9 N
-(seed 0, after 4.9 s); a tick of jaws on its walls takes milliseconds (core/STABILITY.md)."""
+"""Seed 0 drives jaws of 1.2 mm into the rim of its tract at 0.13 m/s, which inverted a tetrahedron
+under 0.9 N after 4.9 s, before hands were limited by what tissue bears (core/STABILITY.md)."""
 LOOKED_AT = 500
 """Ticks after which is counted what is in another body."""
 FASTEST = 40.0
@@ -181,14 +181,11 @@ def test_a_random_hand_on_two_organs_passes_nothing_through_and_replays_to_the_b
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.landing
 def test_nor_does_one_for_some_seconds_on_any_scene_that_ships(name):
-    handle_and_replay(name, 1, 3.0 if name == STONE else 8.0)
+    handle_and_replay(name, 0 if name == STONE else 1, 8.0)
 
 
 @pytest.mark.verify
 @pytest.mark.parametrize("seed", range(10))
 @pytest.mark.parametrize("name", NAMES)
-def test_nor_do_ten_minutes(name, seed, request):
-    if (name, seed) == (STONE, 0):  # of the others nothing is known yet
-        reason = "jaws that are driven into a wall invert it"
-        request.applymarker(pytest.mark.xfail(reason=reason, strict=True, raises=AssertionError))
+def test_nor_do_ten_minutes(name, seed):
     handle_and_replay(name, seed, 60.0)

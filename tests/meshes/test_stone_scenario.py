@@ -18,6 +18,7 @@ from stone_hands import (
     CALYX,
     LOOKS_FROM,
     OUTWARDS,
+    OVER,
     PUT,
     Goal,
     Verdict,
@@ -113,7 +114,8 @@ WRONG = {
     "rushes in": "fast",
     "does not close the jaws": "grasp overdue",
     "pinches the wall and draws it out": "stretch",
-    "pulls the stone down": "press",
+    "pulls the stone down": "wall",
+    "presses the tray": "press",
     "opens in the tract": "lost",
     "stops half way out": "out overdue",
     "opens beside the tray": "dropped",
@@ -144,6 +146,7 @@ def plan_wrong(hand: str, stone: np.ndarray) -> tuple[list[Goal], list[Goal]]:
         "does not close the jaws": ([*into[:-1], Goal(held, closed=False, stay=9.0)], look()),
         "pinches the wall and draws it out": ([*into[:3], *pinch], look()),
         "pulls the stone down": ([*into, Goal(held + 0.03 * DOWN, stay=5.0)], look()),
+        "presses the tray": ([Goal(OVER), Goal(PUT + 0.02 * DOWN, stay=5.0)], look()),
         "opens in the tract": ([*into, Goal(half_way, speed=0.02),
                                 Goal(half_way, closed=False, stay=5.0)], look()),
         "stops half way out": ([*into, Goal(half_way, speed=0.02, stay=9.0)], look()),
@@ -161,4 +164,4 @@ def test_a_wrong_hand_fails_for_its_own_reason(strict, stone, hand):
 
 
 def test_every_wrong_hand_has_a_reason_of_its_own():
-    assert len(set(WRONG.values())) == len(WRONG) == 12
+    assert len(set(WRONG.values())) == len(WRONG) == 13

@@ -97,6 +97,7 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
   motion.travel = was_placed ? (motion.hand - state.hand).norm() : 0.0;
   motion.felt.setZero();
   choose_coupling(instrument, motion.travel, dt, state);
+  limit_hand(scene, i, dt, world);
   Stopwatch watch(world.measures_costs);
   if (!was_placed) state.tool.position = motion.hand;
   turn_tool(instrument, sample.orientation, dt, state.tool);
@@ -150,7 +151,7 @@ void balance_instruments(const Scene& scene, double dt, World& world) noexcept {
     if (!tool.placed) continue;
     HandMotion& motion = workspace(world).hands[i];
     const Instrument& its = scene.instruments[i];
-    const Coupling coupling = find_coupling(its, world.instruments[i]);
+    const Coupling coupling = find_limited_coupling(scene, i, world);
     motion.felt += its.tool.jaws ? balance_jaws(its.tool, coupling, motion.hand,
                                                 list_jaw_surfaces(scene, i, world), dt, tool)
                                  : balance_tool(its.tool, coupling, motion.hand,

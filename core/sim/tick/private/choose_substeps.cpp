@@ -212,8 +212,9 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
          count_stable_substeps(scene, body, dt, world), count_impact_substeps(travel, state)});
   }
   if (is_rigid_near(body, world)) {
-    wanted = std::max({wanted, kFewestInContact, fewest, static_cast<double>(work.wanted_substeps),
-                       count_stable_substeps(scene, body, dt, world)});
+    wanted =
+        std::max({wanted, kFewestInContact, fewest, keep_substeps(true, dt, world.tick_count, work),
+                  count_stable_substeps(scene, body, dt, world)});
   }
   if (is_touched(body, world)) {
     wanted = std::max({wanted, fewest, keep_substeps(true, dt, world.tick_count, work),
@@ -222,7 +223,7 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
   }
   double most = soft.substeps_max;
   const bool jaws_alone =
-      near && near_jaws && !is_rigid_near(body, world) && !is_touched(body, world);
+      (near || is_rigid_near(body, world)) && near_jaws && !is_touched(body, world);
   if (jaws_alone && !soft.tissue.skin.corners.empty()) {
     most =
         std::clamp(std::max(kMostOnSkin, 4.0 / 3.0 * soft.substeps), double(soft.substeps), most);

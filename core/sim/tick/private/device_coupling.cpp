@@ -3,6 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "palpate/sim/dynamics/private/alarms.h"
+#include "palpate/sim/tick/private/touch_rigid.h"
+#include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
 namespace {
@@ -63,6 +68,50 @@ void begin_touch(const Instrument& instrument, InstrumentState& state) noexcept 
             .tool = state.tool.position};
 }
 
+/// [-] Volumes and lengths, in parts of those at rest, at which a hand pushes no harder: three
+/// times what would end the run.
+constexpr double kBorne = 0.15;
+
+/// [-] The same of strain, in parts of what would.
+constexpr double kBorneStrain = 0.75;
+
+/// Ticks by which a volume that shrinks is foretold.
+constexpr double kAhead = 2.0;
+
+/// [1/s] How fast the limit falls at most, and how fast it comes back.
+constexpr double kFall = 100.0, kRise = 10.0;
+
+/// [-] Of the hand's own limit: a hand pushes with so much in any case.
+constexpr double kLeast = 0.02;
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+/// [-] What is left of the reserve before the run would end: 1 where the hand is to push no harder,
+/// 0 or less at the alarm's own limits or not far from them, more than 1 where it may.
+double measure_reserve(const SoftBody& body, const SoftState& state) noexcept {
+  const Stretch& stretch = state.stretch;
+  const double shrinks = stretch.smallest_volume - internals(state).volume_before;
+  const double volume = stretch.smallest_volume + kAhead * std::min(0.0, shrinks);
+  const double strain = (stretch.longest - 1.0) / find_strain_limit(body.tissue);
+  return std::min(
+      {volume / kBorne, stretch.shortest / kBorne, (1.0 - strain) / (1.0 - kBorneStrain)});
+}
+
+/// Whether an instrument pushed a body, or a rigid one that touches it, as the last tick ended.
+bool pushes(const Scene& scene, std::size_t instrument, std::size_t body, World& world) noexcept {
+  if (!world.pair(instrument, body).load.pushes().empty()) return true;
+  TickBuffers& work = workspace(world);
+  for (std::size_t r = 0; r < world.rigid.size(); ++r) {
+    const std::size_t hard = scene.scenery.size() + r;
+    if (work.hard_pairs[instrument * work.hard.size() + hard].load.pushes().empty()) continue;
+    if (work.rigid.on_tissue[r * world.bodies.size() + body].near &&
+        !world.rigid[r].tissue_force.isZero(0.0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void choose_coupling(const Instrument& instrument, double travel, double dt,
@@ -107,6 +156,34 @@ void learn_tissue(const Instrument& instrument, InstrumentState& state) noexcept
   const double least = kLeastWay * kLeastWay;
   device.tissue =
       std::max(0.0, (device.way_force + least * device.tissue) / (device.way_square + least));
+}
+
+void limit_hand(const Scene& scene, std::size_t instrument, double dt, World& world) noexcept {
+  HandMotion& motion = workspace(world).hands[instrument];
+  const double force = world.instruments[instrument].last_force.norm();
+  if (!(force > 0.0)) {
+    motion.bearable = kNone;
+    return;
+  }
+  double reserve = kNone;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    if (find_response(world.bodies[b]) || !pushes(scene, instrument, b, world)) continue;
+    reserve = std::min(reserve, measure_reserve(scene.bodies[b], world.bodies[b]));
+  }
+  const double most = scene.instruments[instrument].coupling.force_max;
+  if (motion.bearable == kNone) {
+    if (!(reserve < 1.0)) return;
+    motion.bearable = force;
+  }
+  const double rate = std::clamp(kFall * (reserve - 1.0), -kFall, kRise);
+  motion.bearable = std::max(motion.bearable * (1.0 + rate * dt), kLeast * most);
+  if (!(motion.bearable < most)) motion.bearable = kNone;
+}
+
+Coupling find_limited_coupling(const Scene& scene, std::size_t instrument, World& world) noexcept {
+  Coupling coupling = find_coupling(scene.instruments[instrument], world.instruments[instrument]);
+  coupling.force_max = std::min(coupling.force_max, workspace(world).hands[instrument].bearable);
+  return coupling;
 }
 
 }  // namespace palpate

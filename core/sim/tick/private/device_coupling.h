@@ -36,4 +36,12 @@ inline double find_stiffness_error(const DeviceCoupling& device) noexcept {
   return device.tissue > 0.0 ? device.tissue / (device.stiffness + device.tissue) : 0.0;
 }
 
+/// Before a tick of dt [s]: a hand whose instrument, or a rigid body that it pushes, strains tissue
+/// nearly as far as would end the run pushes no harder, and with less until that is no more so
+/// [stability: what tissue bears]. Writes HandMotion::bearable.
+void limit_hand(const Scene& scene, std::size_t instrument, double dt, World& world) noexcept;
+
+/// The spring of an instrument to its hand in this tick, with what its tissue bears.
+Coupling find_limited_coupling(const Scene& scene, std::size_t instrument, World& world) noexcept;
+
 }  // namespace palpate

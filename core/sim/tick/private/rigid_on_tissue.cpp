@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
+#include <cmath>
 
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/tick/private/rigid_touch.h"
@@ -107,6 +108,26 @@ void add_friction(const RigidView& body, std::size_t s, const SoftBody& soft,
   }
 }
 
+/// Adds to the rows [1/s²] of the particles that carry a triangle: of a contact of the slope k
+/// between a body and sum_i J_i x_i the row i of M⁻¹K has the sum k |J_i| (1 + sum_j |J_j|)/m_i.
+void add_under_skin(const TissueModel& tissue, const Triangle& corners, const Contact& contact,
+                    std::span<double> rows) noexcept {
+  const Skin& skin = tissue.skin;
+  double all = 1.0;
+  for (int c = 0; c < 3; ++c) {
+    const double weight = std::abs(contact.weights[c]);
+    for (const double w : skin.weights[at(corners[at(c)])]) all += weight * std::abs(w);
+  }
+  for (int c = 0; c < 3; ++c) {
+    const std::size_t v = at(corners[at(c)]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto i = static_cast<std::size_t>(skin.corners[v][k]);
+      const double weight = std::abs(contact.weights[c] * skin.weights[v][k]);
+      rows[i] += contact.stiffness * all * weight / tissue.mass[i];
+    }
+  }
+}
+
 }  // namespace
 
 void find_tissue_need(const Scene& scene, std::size_t b, const SphereLists& lists,
@@ -120,6 +141,10 @@ void find_tissue_need(const Scene& scene, std::size_t b, const SphereLists& list
       const Triangle& corners = soft.tissue.triangles[at(t)];
       if (!find_on_tissue(body, s, soft.rest_areas[at(t)], corners, x, kSoon, contact)) continue;
       body.moved.stiffness += contact.stiffness;
+      if (!soft.tissue.skin.corners.empty()) {
+        add_under_skin(soft.tissue, corners, contact, its.vertex_scratch);
+        continue;
+      }
       for (int c = 0; c < 3; ++c) {
         const std::size_t v = at(corners[at(c)]);
         its.vertex_scratch[v] += 2.0 * contact.weights[c] * contact.stiffness / its.surface_mass[v];

@@ -43,15 +43,23 @@ void place_rigid(const Scene& scene, std::size_t r, World& world) noexcept {
 /// The largest row, after which all are 0 again.
 void take_row(const Scene& scene, std::size_t b, World& world) noexcept {
   RigidContacts& rigid = workspace(world).rigid;
-  BodyInternals& its = internals(world.bodies[b]);
+  const TissueModel& tissue = scene.bodies[b].tissue;
+  std::vector<double>& rows = internals(world.bodies[b]).vertex_scratch;
   double most = 0.0;
+  const auto take = [&](int row) noexcept {
+    most = std::max(most, rows[at(row)]);
+    rows[at(row)] = 0.0;
+  };
   for (std::size_t r = 0; r < rigid.bodies.size(); ++r) {
     const SphereLists& lists = rigid.on_tissue[r * world.bodies.size() + b];
     for (std::size_t s = 0; lists.near && s < lists.end.size(); ++s) {
       for (const int t : lists.of(s)) {
-        for (const int v : scene.bodies[b].tissue.triangles[at(t)]) {
-          most = std::max(most, its.vertex_scratch[at(v)]);
-          its.vertex_scratch[at(v)] = 0.0;
+        for (const int v : tissue.triangles[at(t)]) {
+          if (tissue.skin.corners.empty()) {
+            take(v);
+          } else {
+            for (const int particle : tissue.skin.corners[at(v)]) take(particle);
+          }
         }
       }
     }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <span>
 #include <variant>
@@ -202,6 +203,9 @@ struct HandMotion {
   double travel = 0.0;       ///< [m] since the last tick; 0 where it has just appeared (read_hands)
   double stored_energy = 0.0;  ///< [J] no less than its springs hold (read_hands)
   Vec3 felt = Vec3::Zero();    ///< [N] sum over substeps (balance_instruments)
+  /// [N] that its spring pulls with at most, where tissue bears no more; from tick to tick
+  /// (limit_hand)
+  double bearable = std::numeric_limits<double>::infinity();
 };
 
 /// What the substeps of a tick change of an instrument, as it was before them.
