@@ -218,3 +218,32 @@ def test_when_a_run_of_two_hands_freezes_both_forces_fall_to_nothing_in_20_ms():
     falls = -np.diff(np.vstack([before, *after]), axis=0)
     assert (falls >= 0.0).all() and (falls < 1.1 * before * dt / HELD).all()
     assert (after[round(HELD / dt) - 1] == 0.0).all()
+
+
+@pytest.mark.landing
+def test_two_hands_whose_tissue_safeguards_hold_together_are_replayed_to_the_bit():
+    scene = open_scenario("stomach_two_graspers")
+    body = scene.bodies[0]
+    body.substeps = body.substeps_max = body.substeps - 1  # after the build, which refuses it
+    places = [find_place(scene, np.asarray(its.trocar)) for its in scene.instruments]
+    world, dt = palpate.World(scene), 1.0 / scene.rate
+    hand, felt, hashes, held = [], [], [], 0
+    for number in range(260):
+        samples = []
+        for place, its in zip(places, scene.instruments, strict=True):
+            sample = palpate.HapticSample()
+            sample.time, sample.buttons = number * dt, int(number > 150)
+            height = its.tool.radius - min(5e-3, -CLEARANCE + 5e-5 * number)
+            sample.position = place.point + height * place.outward
+            samples.append(sample)
+        commands = palpate.tick(scene, samples, dt, world)
+        assert not world.alarm
+        hand += samples
+        felt += [palpate.compute_felt(command, world, k) for k, command in enumerate(commands)]
+        held += int(world.bodies[0].safeguard) > 0
+        if number % 50 == 0:
+            hashes.append(palpate.StateHash(tick=number, hash=palpate.compute_hash(world)))
+
+    assert held > 100
+    record = palpate.Record(hand=hand, felt=felt, hashes=hashes, instruments=2)
+    assert palpate.replay(scene, record).equal
