@@ -255,11 +255,6 @@ void begin_opening(InstrumentState& state) noexcept {
   state.tool.felt_change = std::max(kMostChange * state.last_force.norm(), kOpeningChange);
 }
 
-/// Whether jaws that a hand has opened as far as it would are still on their way there, in a dent.
-bool is_opening(double goal, const InstrumentState& state) noexcept {
-  return !state.attach_pressed && state.tool.felt_change > 0.0 && goal >= state.tool.jaw_wanted;
-}
-
 /// Tissue that could not bear more makes the jaws yield, for good until the hand opens; where even
 /// jaws that hardly close strain it, they open.
 void yield(const Tool& tool, InstrumentState& state) noexcept {
@@ -298,7 +293,7 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
     }
     state.attach_pressed = false;
     jaws.jaw_wanted = std::max(jaws.jaw_wanted, std::min(goal, jaws.jaw_angle));
-  } else if (!is_opening(goal, state)) {
+  } else {
     const bool closes_again =
         goal < jaws.jaw_wanted && jaws.grip_limit == kOpening * tool.jaws->grip;
     if (state.release_ticks > 0 || closes_again) jaws.grip_limit = tool.jaws->grip;
