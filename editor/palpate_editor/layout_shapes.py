@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +35,8 @@ class PartShape:
     """(n, 3) sRGB of a body's vertices."""
     regions: tuple[str, ...] = ()
     """Names of a body's."""
+    region_rows: Mapping[str, NDArray[np.int32]] = field(default_factory=dict)
+    """Their vertices."""
     drawn: Shape | None = None
     """Of a stone or scenery: smooth but for its edges."""
 
@@ -82,9 +84,9 @@ def read_shape(path: Path, part: Any) -> PartShape:
     tissue = organ.body.tissue
     x = np.array(palpate.compute_surface(tissue, tissue.rest_position))
     triangles = np.array(tissue.triangles, dtype=np.int32)
-    regions = tuple(find_regions(organ.path, organ.published))
+    regions = find_regions(organ.path, organ.published)
     tree = palpate.AabbTree(x, triangles)
-    return PartShape(x, triangles, tree, find_organ_colours(organ), regions)
+    return PartShape(x, triangles, tree, find_organ_colours(organ), tuple(regions), regions)
 
 
 def place_drawn(shape: PartShape, part: Placed) -> Shape:

@@ -87,6 +87,7 @@ DAMAGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "tools[0].kind": lambda data: data["now"]["tools"][0].update(kind="spoon"),
     "tools[0].radius": lambda data: data["now"]["tools"][0].update(radius=0.0),
     "before": lambda data: data.update(before={}),
+    "assessment": lambda data: data["now"].update(assessment=3),
 }
 
 
@@ -98,4 +99,27 @@ def test_a_damaged_layout_is_refused_by_schema_and_reader_alike(schema, tmp_path
 
     assert not schema.is_valid(data)
     with pytest.raises(Refusal, match=where.removeprefix("no ").split("[")[0]):
+        read_layout(path)
+
+
+def test_a_layout_of_version_3_has_no_task(tmp_path):
+    path, data = write(tmp_path)
+    data["version"] = 3
+    for layout in (data["now"], *data["before"], *data["undone"]):
+        del layout["assessment"]
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+    assert read_layout(path).now.assessment == ""
+    data["now"]["assessment"] = ""
+    path.write_text(json.dumps(data), encoding="utf-8")
+    with pytest.raises(Refusal, match="assessment: got some in a layout of version 3"):
+        read_layout(path)
+
+
+def test_a_task_that_is_no_assessment_is_refused(tmp_path):
+    path, data = write(tmp_path)
+    data["now"]["assessment"] = "{}"
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+    with pytest.raises(Refusal, match="assessment: got no assessment, expected JSON that says"):
         read_layout(path)

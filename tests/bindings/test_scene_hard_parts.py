@@ -238,7 +238,7 @@ def test_a_layout_of_version_2_is_read(layout):
     made = json.loads(layout.read_text(encoding="utf-8"))
     made["version"] = 2
     for each in (made["now"], *made["before"], *made["undone"]):
-        del each["fluid"], each["tools"]
+        del each["fluid"], each["tools"], each["assessment"]
     layout.write_text(json.dumps(made), encoding="utf-8")
 
     assert len(read_layout(layout).now.stones) == 1
@@ -255,7 +255,7 @@ def test_a_layout_of_before_there_were_stones_is_read(layout, capsys):
     assert read_layout(layout).now.stones == ()
     told = say(capsys, "place", layout, "organ", "--by", "0,0,1")
     assert (told["code"], told["stones"], told["scenery"]) == (0, [], [])
-    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 3
+    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 4
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ and published."""
 from __future__ import annotations
 
 import argparse
+import json
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -13,14 +14,16 @@ from palpate.cli.scene_changes import CHANGES, KINDS, ORGAN, UNITS, change_words
 from palpate.cli.scene_words import describe_scene, has_failed
 from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, WrongCall, quantity
-from palpate.files.file_kind import LAYOUT, PUBLISHED
+from palpate.files.file_kind import ASSESSMENT, LAYOUT, PUBLISHED
 from palpate.files.refusal import Refusal
+from palpate.files.whole_file import write_whole
 from palpate.layout import document
 from palpate.layout.check import check, describe_pair
 from palpate.layout.document import History, Layout, LayoutError, Placed
 from palpate.layout.layout_file import read_layout, write_layout
-from palpate.layout.publish import write_checked
 from palpate.layout.stone import FEWEST, MOST
+from palpate.layout.task import find_task
+from palpate.layout.write import write_checked
 from palpate.scene.instrument_kinds import KINDS as TOOLS
 
 SNAP_GAP = 5e-4
@@ -31,6 +34,7 @@ READS = {"new": "write a layout without bodies",
          "pair": "say which two bodies may touch, or which scenery stops a body",
          "tool": "say with which instrument it is touched",
          "set": "keep its title, its task, gravity and the fluid that stones are in",
+         "task": "take the judged task of an assessment into it, out of it, or away",
          "undo": "take back the last change", "redo": "make it again",
          "check": "list overlaps, costs and all that is wrong",
          "publish": "write what `palpate press` and `palpate play` run"}  # fmt: skip
@@ -73,6 +77,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
     add_more(made["place"])
     add_pair(made["pair"])
     add_tool(made["tool"])
+    add_task(made["task"])
     made["check"].add_argument(
         "--quick", action="store_true", help="press nothing, measure nothing"
     )
@@ -143,6 +148,17 @@ def add_tool(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--remove", action="store_true", help="that of the first organ again")
 
 
+def add_task(parser: argparse.ArgumentParser) -> None:
+    """`--write` is no change, and a change has no `--write`."""
+    parser.add_argument(
+        "assessment", type=Path, nargs="?", metavar="FILE",
+        help="assessment, .json, as `palpate scenario new` writes; of each organ and stone by the "
+        "id of its name",
+    )  # fmt: skip
+    add_output(parser, "--write", writes=ASSESSMENT, help="the task as it is, to be worked on")
+    parser.add_argument("--remove", action="store_true", help="it is a scene to feel again")
+
+
 def or_none(read: Callable[[str], tuple[float, ...]]) -> Callable[[str], tuple[float, ...]]:
     """Reads `none` too, as no numbers."""
     return lambda text: () if text == "none" else read(text)
@@ -179,6 +195,8 @@ def run_scene(call: argparse.Namespace) -> Report:
             return run_checked(call, change_words(history.now, call))
         if call.action in ("undo", "redo"):
             return write(call, getattr(document, call.action)(history))
+        if call.action == "task" and call.write is not None:
+            return write_task(call, history)
         return write(call, document.apply(history, CHANGES[call.action](history.now, call)))
     except LayoutError as problem:
         raise WrongCall(str(problem)) from None
@@ -186,6 +204,10 @@ def run_scene(call: argparse.Namespace) -> Report:
 
 def write(call: argparse.Namespace, history: History) -> Report:
     write_layout(call.file, history)
+    return describe_history(call, history)
+
+
+def describe_history(call: argparse.Namespace, history: History) -> Report:
     return {
         "action": call.action,
         "layout": str(call.file),
@@ -193,6 +215,17 @@ def write(call: argparse.Namespace, history: History) -> Report:
         "can_undo": len(history.before),
         "can_redo": len(history.undone),
     }
+
+
+def write_task(call: argparse.Namespace, history: History) -> Report:
+    """The layout stays as it is. Raises LayoutError."""
+    if call.assessment is not None or call.remove:
+        raise WrongCall("--write: got one with a change, expected one or the other")
+    task = find_task(history.now)
+    if task is None:
+        raise LayoutError("task: got none, expected one that FILE has brought")
+    write_whole(call.write, (json.dumps(task, indent=1, ensure_ascii=False) + "\n").encode())
+    return describe_history(call, history)
 
 
 def describe_layout(layout: Layout) -> Report:
@@ -221,6 +254,7 @@ def describe_layout(layout: Layout) -> Report:
         "stones": stones,
         "scenery": scenery,
         "tools": [vars(tool) for tool in layout.tools],
+        "assessment": find_task(layout),
     }
 
 

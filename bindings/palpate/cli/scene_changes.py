@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from palpate.assessment.publish import read_assessment
 from palpate.command.verb import WrongCall
 from palpate.layout import document
 from palpate.layout.document import (
@@ -30,6 +31,7 @@ from palpate.layout.hard_parts import scale_mesh
 from palpate.layout.placed import build_body, find_region, find_surface, read_organ, read_placed
 from palpate.layout.snap import measure_patch, snap
 from palpate.layout.stone import FEWEST, MOST
+from palpate.layout.task import set_task
 from palpate.scene.instrument_kinds import KINDS as TOOLS
 from palpate.scene.mesh_file import read_mesh_file
 from palpate.scene.scene_file import hash_file
@@ -168,6 +170,12 @@ def change_tool(layout: Layout, call: argparse.Namespace) -> Layout:
     return replace(layout, tools=(SceneTool(call.kind, **{**vars(usual), **said}, trocar=trocar),))
 
 
+def change_task(layout: Layout, call: argparse.Namespace) -> Layout:
+    if (call.assessment is None) != call.remove:
+        raise WrongCall("task: got FILE and --remove, or none of both, expected one of them")
+    return set_task(layout, None if call.remove else read_assessment(call.assessment))
+
+
 def change_words(layout: Layout, call: argparse.Namespace) -> Layout:
     """What a scene has beside what is placed in it; what is not told stays."""
     names = ("title", "task", "title_tr", "task_tr", "gravity", "fluid")
@@ -184,4 +192,5 @@ CHANGES: dict[str, Callable[[Layout, argparse.Namespace], Layout]] = {
     "pair": change_pair,
     "tool": change_tool,
     "set": change_words,
+    "task": change_task,
 }

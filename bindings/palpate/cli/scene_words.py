@@ -26,6 +26,10 @@ def describe_scene(report: Report) -> str:
         stops = ", ".join(scenery["stops"]) or "no body"
         lines.append(f"{describe_place(scenery)}; scenery, stops {stops}")
     lines += map(describe_tool, report["tools"])
+    task = report["assessment"]
+    if task is not None:
+        steps, limits = len(task.get("steps", [])), len(task.get("limits", []))
+        lines.append(f"  judged: {steps} steps, {limits} limits, as `scene task --write` shows")
     if "problems" not in report:
         lines += [f"  {first} and {second} may touch" for first, second in report["pairs"]]
         lines.append(f"  {report['can_undo']} changes can be undone, {report['can_redo']} redone")

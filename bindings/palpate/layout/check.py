@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 import palpate
 from palpate import FileError
+from palpate.assessment.check import find_problems
 from palpate.assessment.check_problem import ERROR, NOTE, WARNING, Problem
 from palpate.files.refusal import Refusal
 from palpate.layout.assemble import Assembly, build, read_assembly, separate_bodies
@@ -21,6 +22,7 @@ from palpate.layout.hard_checks import find_unsettled, name_numbers, note_hard_p
 from palpate.layout.hard_parts import read_part_mesh
 from palpate.layout.pair_advice import PairAdvice, advise_pair, advise_slow_pair
 from palpate.layout.placed import read_placed
+from palpate.layout.publish import make_scenario
 from palpate.layout.separate import MOST_SHIFT, Separation
 from palpate.runs.alarms import tell_alarm
 from palpate.scene.tick_cost import TICK_SHARE
@@ -71,12 +73,25 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
     except ValueError as problem:
         said = name_numbers(layout, str(problem).removeprefix("scene: "))
         return Checked([*problems, Problem(ERROR, "scene", said)], None, assembly, {}, parted)
+    problems += find_task_problems(layout, assembly, scene)
     if measures and (scene.rigid or layout.gravity):
         problems += find_unsettled(layout, scene, assembly)
     costs = measure_pairs(scene, assembly) if measures else {}
     if measures:
         problems += find_cost_problems(layout, scene, costs, assembly)
     return Checked(problems, scene, assembly, costs, parted)
+
+
+def find_task_problems(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> list[Problem]:
+    """Of its judged task, in 20 attempts of each level."""
+    try:
+        made = make_scenario(layout, assembly, scene)
+    except Refusal as refusal:
+        said = f"got {refusal.got}, expected {refusal.expected}"
+        return [Problem(ERROR, f"task: {refusal.where}", said)]
+    if not made.assessment:
+        return []
+    return [replace(each, where=f"task: {each.where}") for each in find_problems(made)]
 
 
 def find_file_problems(path: Path, layout: Layout) -> list[Problem]:

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-FORMAT, VERSION = "palpate layout", 3
+FORMAT, VERSION = "palpate layout", 4
 MOST_STEPS = 100
 """Changes that can be undone; older ones are forgotten."""
 
@@ -123,6 +123,8 @@ class Layout:
     """[kg/m³], [Pa s] (2,) What the stones are in: 1000, 0.001 of water. None: nothing."""
     tools: tuple[SceneTool, ...] = ()
     """One, or none: that of the first body's organ."""
+    assessment: str = ""
+    """The judged task, the JSON that `palpate scenario` writes; none: a scene to feel."""
 
     @property
     def parts(self) -> tuple[Placed, ...]:

@@ -12,12 +12,14 @@ from palpate.files.json_document import read_document
 from palpate.files.json_part import read_part
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
-from palpate.layout.document import FORMAT, VERSION, History, Layout
+from palpate.layout.document import FORMAT, VERSION, History, Layout, LayoutError
 from palpate.layout.stone import FEWEST, MOST
+from palpate.layout.task import find_task
 from palpate.scene.instrument_kinds import KINDS
 
 MOST_BYTES = 16 * 2**20
-ADDED = {1: ("stones", "scenery", "gravity", "fluid", "tools"), 2: ("fluid", "tools")}
+ADDED = {1: ("stones", "scenery", "gravity", "fluid", "tools", "assessment"),
+         2: ("fluid", "tools", "assessment"), 3: ("assessment",)}  # fmt: skip
 """What a layout of an older version had not."""
 
 
@@ -50,7 +52,7 @@ def add_missing(path: Path, value: Any, version: int) -> Any:
     for name in ADDED[version]:
         if name in value:
             raise Refusal(path, name, f"some in a layout of version {version}", "none")
-    return {**value, **dict.fromkeys(ADDED[version], [])}
+    return {**value, **{name: "" if name == "assessment" else [] for name in ADDED[version]}}
 
 
 AT_LEAST = dict.fromkeys(("friction", "thickness", "stiffness", "damping", "length"), 0.0)
@@ -96,6 +98,11 @@ def require_sound(path: Path, layout: Layout) -> None:
             raise Refusal(path, "tools[0].kind", repr(tool.kind), f"one of {', '.join(KINDS)}")
         if len(tool.trocar) not in (0, 3):
             raise Refusal(path, "tools[0].trocar", f"{len(tool.trocar)} numbers", "3, or none")
+    try:
+        find_task(layout)
+    except LayoutError as problem:
+        got, _, expected = str(problem).removeprefix("task: got ").partition(", expected ")
+        raise Refusal(path, "assessment", got, expected) from None
     bodies = {body.name for body in layout.bodies}
     known: list[set[str]] = []
     for index, pair in enumerate(layout.pairs):

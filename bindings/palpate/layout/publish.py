@@ -5,27 +5,27 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import palpate
-from palpate import FileError, scenario
+from palpate import scenario
 from palpate.assessment.author import make_ids
-from palpate.assessment.publish import find_regions
+from palpate.assessment.publish import find_regions, with_assessment
 from palpate.files.refusal import Refusal
 from palpate.layout.assemble import Assembly
-from palpate.layout.check import Checked
 from palpate.layout.document import FORMAT, VERSION, Layout
 from palpate.layout.placed import Organ
+from palpate.layout.task import find_task, has_steps
 from palpate.render.authored_appearance import find_appearance, find_colours
 from palpate.render.theme import TISSUE
 
 
 def make_scenario(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> scenario.Scenario:
-    """The scene, its words, and in the designer's document the layout and how its organs look."""
+    """The scene, its words, its task, and in the designer's document the layout and how its organs
+    look. Raises Refusal for a task that cannot be judged."""
     content: dict[str, Any] = {"layout": asdict(layout)}
     appearance = read_appearance(assembly.organs[0])
     if appearance is not None:
@@ -33,7 +33,7 @@ def make_scenario(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> s
     regions = join_regions(layout, assembly.organs)
     content["regions"] = list(regions)
     words = {"tr": scenario.Words(layout.title_tr, layout.task_tr)}
-    return scenario.Scenario(
+    made = scenario.Scenario(
         scene=scene,
         title=layout.title or " + ".join(body.name for body in layout.bodies),
         task=layout.task,
@@ -44,19 +44,8 @@ def make_scenario(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> s
         },
         languages=words if layout.title_tr or layout.task_tr else {},
     )
-
-
-def write_checked(out: Path, layout: Layout, checked: Checked) -> bool:
-    """Writes the scene of a layout that was checked; False where that found an error. Raises
-    FileError or OSError."""
-    if checked.scene is None or checked.assembly is None or checked.has_errors:
-        return False
-    made = make_scenario(layout, checked.assembly, checked.scene)
-    try:
-        scenario.write(out, made)
-    except ValueError as problem:
-        raise FileError(str(out), "", str(problem), "a scene that a file holds") from None
-    return True
+    task = find_task(layout)
+    return with_assessment("task", task, made) if task is not None and has_steps(task) else made
 
 
 def join_regions(layout: Layout, organs: list[Organ]) -> dict[str, NDArray[np.int32]]:

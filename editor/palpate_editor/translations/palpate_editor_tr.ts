@@ -293,6 +293,54 @@
         <translation>{name} türü</translation>
     </message>
     <message>
+        <source>Space at x</source>
+        <translation>Boşluk x</translation>
+    </message>
+    <message>
+        <source>Space at y</source>
+        <translation>Boşluk y</translation>
+    </message>
+    <message>
+        <source>Space at z</source>
+        <translation>Boşluk z</translation>
+    </message>
+    <message>
+        <source>Radius of the space</source>
+        <translation>Boşluğun yarıçapı</translation>
+    </message>
+    <message>
+        <source>A space has a radius above 0.</source>
+        <translation>Bir boşluğun yarıçapı 0’dan büyüktür.</translation>
+    </message>
+    <message>
+        <source>The scene is being read: try again.</source>
+        <translation>Sahne okunuyor: yeniden deneyin.</translation>
+    </message>
+    <message>
+        <source>New task</source>
+        <translation>Yeni görev</translation>
+    </message>
+    <message>
+        <source>Remove the task</source>
+        <translation>Görevi kaldır</translation>
+    </message>
+    <message>
+        <source>A task is of what is in the scene: add an organ first.</source>
+        <translation>Görev sahnede olanlarla ilgilidir: önce bir organ ekleyin.</translation>
+    </message>
+    <message>
+        <source>The scene itself is not right yet: see its checks.</source>
+        <translation>Sahnenin kendisi henüz doğru değil: denetimlerine bakın.</translation>
+    </message>
+    <message>
+        <source>The task cannot be played yet: see the checks.</source>
+        <translation>Görev henüz oynanamaz: denetimlere bakın.</translation>
+    </message>
+    <message>
+        <source>as in the scene</source>
+        <translation>sahnedeki gibi</translation>
+    </message>
+    <message>
         <source>as in Material</source>
         <translation>Malzemedeki gibi</translation>
     </message>

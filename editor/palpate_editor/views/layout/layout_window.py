@@ -25,7 +25,6 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QMessageBox,
     QPlainTextEdit,
-    QScrollArea,
 )
 
 from palpate_editor.app.autosave import Autosave
@@ -41,6 +40,8 @@ from palpate_editor.views.layout.move_gizmo import MoveGizmo
 from palpate_editor.views.layout.part_tree import PartTree
 from palpate_editor.views.layout.scene_drawing import SceneDrawing
 from palpate_editor.views.layout.scene_panel import ScenePanel
+from palpate_editor.views.layout.side import Side
+from palpate_editor.views.layout.task_panel import TaskPanel
 from palpate_editor.views.layout.words import list_adding, say_move
 from palpate_editor.views.layout.work import ChangeWork, CheckWork, PublishWork, ReadWork
 from palpate_editor.views.message_bar import MessageBar
@@ -83,14 +84,13 @@ class LayoutWindow(QMainWindow):
         self.tree = PartTree(self)
         self.panel = ScenePanel(COLOURS[theme], self)
         self.log = QPlainTextEdit(self)
+        self.task = TaskPanel(self, self)
         self.shapes: dict[Key, PartShape] = {}
-        self.seen: Layout | None = None
-        """What was shown last."""
+        self.seen: Layout | None = None  # what was shown last
         self.chosen = ""
         self.checked: Checked | None = None
         self.may_close = False
-        self.kind = ""
-        """Of what is being added."""
+        self.kind = ""  # of what is being added
         self.question: QMessageBox | None = None
         self.pause = QTimer(self, singleShot=True, interval=PAUSE)
         self.pause.timeout.connect(self.check)
@@ -101,10 +101,8 @@ class LayoutWindow(QMainWindow):
     # ------------------------------------------------------------ building
 
     def _build_docks(self) -> None:
-        area = QScrollArea(self)
-        area.setWidgetResizable(True)
-        area.setWidget(self.panel)
-        self.panel.setMinimumWidth(340)
+        area = Side((tr("Scene"), self.panel), (tr("Task"), self.task), self)
+        area.turned.connect(self.task.marks.see)
         self.log.setObjectName("log")
         self.log.setReadOnly(True)
         self.log.setFont(fixed_font(QFont(self.font())))
@@ -153,9 +151,8 @@ class LayoutWindow(QMainWindow):
         self.mover.dragged.connect(self.show_dragged)
         self.mover.dropped.connect(self.drop)
         panel = self.panel
-        panel.form.wanted.connect(self.do)
         panel.form.heavy_wanted.connect(self.do_beside)
-        for form in (panel.pairs, panel.tool_form, panel.scene_form):
+        for form in (panel.form, panel.pairs, panel.tool_form, panel.scene_form):
             form.wanted.connect(self.do)
         panel.add_wanted.connect(self.ask_add)
         panel.apart_wanted.connect(self.move_apart)
@@ -274,6 +271,7 @@ class LayoutWindow(QMainWindow):
         self.mover.show(part, shape)
         self.tree.show_layout(layout, self.chosen)
         self.panel.show_layout(layout, self.shapes, part)
+        self.task.show_layout(self.shapes)
         self.actions_by_name["undo"].setEnabled(bool(self.session.history.before))
         self.actions_by_name["redo"].setEnabled(bool(self.session.history.undone))
         self.actions_by_name["remove"].setEnabled(part is not None)
@@ -281,6 +279,7 @@ class LayoutWindow(QMainWindow):
             self.seen, self.checked = layout, None
             self.drawing.forget_mark()
             self.panel.show_checked(None)
+            self.task.show_checked(None)
             self.pause.start()
             if any(key_of(each) not in self.shapes for each in layout.parts):
                 work = ReadWork(self.session.path, layout, dict(self.shapes))
@@ -309,6 +308,7 @@ class LayoutWindow(QMainWindow):
         if layout is self.session.layout:
             self.checked = checked
             self.panel.show_checked(checked)
+            self.task.show_checked(checked)
 
     def take_measured(self, found: tuple[Layout, Checked]) -> None:
         self.take_checked(found)

@@ -71,6 +71,15 @@ class SceneDrawing:
         ]
         return min(found)[1] if found else ""
 
+    def find_body(self, point: Floats) -> int | None:
+        """The number of the body whose surface is nearest to a point [m]; None without any."""
+        found = [
+            (float(np.linalg.norm(move_points(body, shape.x) - point, axis=1).min()), number)
+            for number, body in enumerate(self._bodies)
+            if (shape := self._shapes.get(key_of(body))) is not None
+        ]
+        return min(found)[1] if found else None
+
     def look_at(self, place: Floats) -> None:
         """Marks a place [m] and comes near to it."""
         view, radius = self._view, MARKED * self._view.scenery.radius

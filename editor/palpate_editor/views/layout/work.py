@@ -8,7 +8,7 @@ from pathlib import Path
 
 from palpate.layout.check import Checked, check
 from palpate.layout.document import Layout
-from palpate.layout.publish import write_checked
+from palpate.layout.write import write_checked
 
 from palpate_editor.layout_changes import Words, change
 from palpate_editor.layout_shapes import Key, PartShape, read_shapes

@@ -8,8 +8,8 @@ from palpate.assessment.author import Json
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.views.scenario.band_row import NumberRow
-from palpate_editor.views.scenario.draft import Draft
 from palpate_editor.views.scenario.step_form import Choice
+from palpate_editor.views.scenario.task_draft import TaskDraft
 from palpate_editor.views.scenario.words import say_consequence, say_measure
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import tr
@@ -30,7 +30,7 @@ ADDED = ("force", "contact", "depth", "speed", "distance", "force_rate", "strain
 class LimitRow(QWidget):
     """One of them."""
 
-    def __init__(self, limit: Json, draft: Draft, parent: QWidget):
+    def __init__(self, limit: Json, draft: TaskDraft, parent: QWidget):
         super().__init__(parent)
         self.draft, self.identity = draft, str(limit["id"])
         when = limit["when"]
@@ -77,7 +77,7 @@ class LimitRow(QWidget):
 class LimitList(QWidget):
     """All of them, and a way to a new one; one of contact is at the place of the chosen step."""
 
-    def __init__(self, draft: Draft, parent: QWidget | None = None):
+    def __init__(self, draft: TaskDraft, parent: QWidget | None = None):
         super().__init__(parent)
         self.draft = draft
         self.column = QVBoxLayout(self)
@@ -115,7 +115,7 @@ class LimitList(QWidget):
 
     def _list_regions(self) -> None:
         self.of_contact.clear()
-        for region in self.draft.context.session.organ.regions:
+        for region in self.draft.regions:
             action = self.of_contact.addAction(region)
             action.setData(f"contact:{region}")
 

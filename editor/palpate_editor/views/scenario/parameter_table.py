@@ -17,9 +17,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from palpate_editor.views.scenario.draft import Draft
 from palpate_editor.views.scenario.limit_list import SCALES
 from palpate_editor.views.scenario.step_form import OF_VERB
+from palpate_editor.views.scenario.task_draft import TaskDraft
 from palpate_editor.views.scenario.words import say_measure
 from palpate_editor.views.translations import number, tr
 
@@ -39,7 +39,7 @@ USUAL = 3
 class ParameterTable(QWidget):
     """A cell is an edit: 0.6 is a value, 0.4..0.8 is drawn between, a; b is one of them."""
 
-    def __init__(self, draft: Draft, parent: QWidget | None = None):
+    def __init__(self, draft: TaskDraft, parent: QWidget | None = None):
         super().__init__(parent)
         self.draft = draft
         self._writing = False

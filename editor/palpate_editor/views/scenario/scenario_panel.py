@@ -17,7 +17,7 @@ from palpate_editor.surface_path import follow_surface
 from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
 from palpate_editor.views.scenario.band_row import NumberRow
-from palpate_editor.views.scenario.draft import Draft, round_point
+from palpate_editor.views.scenario.draft import Draft
 from palpate_editor.views.scenario.limit_list import LimitList
 from palpate_editor.views.scenario.parameter_table import ParameterTable
 from palpate_editor.views.scenario.place_marks import PlaceMarks
@@ -25,6 +25,7 @@ from palpate_editor.views.scenario.place_tools import PathTool
 from palpate_editor.views.scenario.play_work import CarefulWork, CheckWork, EveryHandWork
 from palpate_editor.views.scenario.step_form import PATH, POINT, Choice, StepForm
 from palpate_editor.views.scenario.step_list import StepList
+from palpate_editor.views.scenario.task_draft import round_point
 from palpate_editor.views.scenario.text_table import TextTable
 from palpate_editor.views.scenario.time_line import TimeLine
 from palpate_editor.views.scenario.tool_list import ToolList

@@ -10,7 +10,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.views.scenario.band_row import BandRow, NumberRow
-from palpate_editor.views.scenario.draft import Draft
+from palpate_editor.views.scenario.task_draft import TaskDraft
 from palpate_editor.views.scenario.words import say_verb
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import tr
@@ -40,7 +40,7 @@ class StepForm(QWidget):
     """POINT or PATH is to be drawn on the organ; empty for no more."""
     record_wanted = Signal()
 
-    def __init__(self, draft: Draft, parent: QWidget | None = None):
+    def __init__(self, draft: TaskDraft, parent: QWidget | None = None):
         super().__init__(parent)
         self.draft = draft
         self._writing = False
@@ -132,7 +132,8 @@ class StepForm(QWidget):
         self.share.show_value(step.get("share", 1.0))
         self.lasting.setVisible(verb in LASTING)
         self.lasting.show_value(step.get("for_s", 0.0))
-        self.record.setVisible(verb in RECORDED)
+        self.record.setVisible(verb in RECORDED and self.draft.records)
+        self.draw[PATH].setVisible(self.draft.records)
         self._writing = False
 
     def _list_places(self, step: Json) -> None:
@@ -141,10 +142,8 @@ class StepForm(QWidget):
         self.place.clear()
         for name in draft.places:
             self.place.addItem(draft.name_place(name), name)
-        regions = {
-            str(place.get("region", "")).partition("/")[2] for place in draft.places.values()
-        }
-        for region in draft.context.session.organ.regions:
+        regions = {draft.name_region(place) for place in draft.places.values()}
+        for region in draft.regions:
             if region not in regions:
                 self.place.addItem(region, f"region:{region}")
         at = str(step.get("at", ""))

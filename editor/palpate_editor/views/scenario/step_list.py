@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from palpate_editor.views.scenario.draft import Draft
+from palpate_editor.views.scenario.task_draft import TaskDraft
 from palpate_editor.views.scenario.words import say_row, say_verb
 from palpate_editor.views.translations import tr
 
@@ -29,7 +29,7 @@ ID = Qt.ItemDataRole.UserRole
 class StepList(QWidget):
     """Every row is a step; the one that is chosen stands in the form."""
 
-    def __init__(self, draft: Draft, parent: QWidget | None = None):
+    def __init__(self, draft: TaskDraft, parent: QWidget | None = None):
         super().__init__(parent)
         self.draft = draft
         self._writing = False

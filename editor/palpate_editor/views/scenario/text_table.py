@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush, QColor
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
-from palpate_editor.views.scenario.draft import Draft
+from palpate_editor.views.scenario.task_draft import TaskDraft
 from palpate_editor.views.translations import tr
 
 ROW, MOST = 26, 8
@@ -20,7 +20,7 @@ CODE = Qt.ItemDataRole.UserRole
 class TextTable(QTableWidget):
     """A cell is an edit once it has been left."""
 
-    def __init__(self, draft: Draft, parent: QWidget | None = None):
+    def __init__(self, draft: TaskDraft, parent: QWidget | None = None):
         super().__init__(parent)
         self.draft = draft
         self._writing = False

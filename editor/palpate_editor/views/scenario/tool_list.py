@@ -10,8 +10,8 @@ from palpate.scene.instrument_kinds import KINDS
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from palpate_editor.views.scenario.band_row import NumberRow
-from palpate_editor.views.scenario.draft import Draft
 from palpate_editor.views.scenario.step_form import Choice
+from palpate_editor.views.scenario.task_draft import TaskDraft
 from palpate_editor.views.scenario.words import say_tool_kind
 from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.translations import tr
@@ -25,7 +25,7 @@ USUAL_HEIGHT = 0.15
 class ToolRow(QWidget):
     """One of them: its kind, and the numbers that this kind has."""
 
-    def __init__(self, name: str, said: Json, draft: Draft, parent: QWidget | None = None):
+    def __init__(self, name: str, said: Json, draft: TaskDraft, parent: QWidget | None = None):
         super().__init__(parent)
         self.draft, self.name = draft, name
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
@@ -39,7 +39,7 @@ class ToolRow(QWidget):
         self.kind.setAccessibleName(tr("Kind of {name}").format(name=name))
         own = not SHAPES & set(said)
         if own:
-            self.kind.addItem(tr("as in Material"), OWN)
+            self.kind.addItem(draft.own_words, OWN)
         for kind in KINDS:
             self.kind.addItem(say_tool_kind(kind), kind)
         self.kind.setCurrentIndex(0 if own else self.kind.findData(said["kind"]))
@@ -57,7 +57,7 @@ class ToolRow(QWidget):
             self._build_numbers(said, column)
 
     def _build_numbers(self, said: Json, column: QVBoxLayout) -> None:
-        friction = said.get("friction", self.draft.context.session.organ.tool.friction)
+        friction = said.get("friction", self.draft.usual_friction)
         self._number(column, "friction", tr("Friction"), "", 1.0, 0.05, (0, 20), friction)
         if "grip_force_N" in said:
             self._number(column, "grip_force_N", tr("Grip force"), "N", 1.0, 0.5, (1, 40),
@@ -104,7 +104,7 @@ class ToolRow(QWidget):
 class ToolList(QWidget):
     """All of them, and a way to one more."""
 
-    def __init__(self, draft: Draft, parent: QWidget | None = None):
+    def __init__(self, draft: TaskDraft, parent: QWidget | None = None):
         super().__init__(parent)
         self.draft = draft
         self.column = QVBoxLayout(self)

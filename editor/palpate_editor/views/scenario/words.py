@@ -10,7 +10,7 @@ from palpate.assessment.author import Json
 from palpate_editor.views.translations import number, tr
 
 if TYPE_CHECKING:
-    from palpate_editor.views.scenario.draft import Draft
+    from palpate_editor.views.scenario.task_draft import TaskDraft
 
 BANDS = (("force_N", "N", 1.0), ("depth_m", "mm", 1e-3), ("distance_m", "mm", 1e-3))
 """Member, unit that is shown, and what that is in SI."""
@@ -68,7 +68,7 @@ def say_end(end: object, scale: float) -> str:
     return end if isinstance(end, str) else number(float(end) / scale, 3)  # type: ignore[arg-type]
 
 
-def say_row(step: Json, draft: Draft) -> str:
+def say_row(step: Json, draft: TaskDraft) -> str:
     """Verb, place, bands and dwell of a step, on one line."""
     parts = [say_verb(str(step.get("do")))]
     if "at" in step:
