@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,9 @@ import palpate
 import palpate_meshes
 import pytest
 from palpate import scenario
+from palpate.assessment import mover
 from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.assessment.skill import CLUMSY
 from palpate.cli.main import main
 from stone_hands import (
     ASIDE,
@@ -62,6 +65,21 @@ def name_reason(verdict: Verdict) -> str:
         assert verdict.outcome is palpate.Outcome.failed
         return opened[0] if opened else f"{overdue[0]} overdue"
     return f"{verdict.outcome.name} before {verdict.waiting[0]}" if verdict.waiting else "done"
+
+
+@pytest.mark.landing
+def test_a_simulated_hand_that_slips_lets_go_of_what_it_holds(strict):
+    task = scenario.draw_task(strict, "", 0)
+    hand = mover.Mover(strict.scene, task.task, replace(CLUMSY, lapses=1e3), 0)
+    hand.goals = [mover.Goal(hand.base + [0.0, 0.0, 1.0], True, 0.05)]
+
+    held = []
+    for _ in range(700):
+        hand.follow(1e-3)
+        held.append(bool(hand.buttons))
+
+    assert all(held[:300])
+    assert not any(held[320:590])
 
 
 @pytest.mark.landing

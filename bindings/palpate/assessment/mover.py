@@ -104,10 +104,10 @@ class Mover(Person):
             self.left -= dt
             return
         goal = self.goals[0]
-        self.buttons = 1 if goal.closed else 0
         ahead = unit(goal.to - self.base)
         self.base, arrived = step_to(self.base, goal.to, goal.speed * dt)
         self.base = self.base + ahead * self.slip(dt)
+        self.buttons = 1 if goal.closed and self.lapse <= 0.0 else 0  # a finger slips as well
         if arrived:
             self.goals.pop(0)
             self.left = goal.stay
