@@ -64,6 +64,7 @@ ARGUMENTS = {
     "records export": ["--csv"],
     "scene new": [],
     "scene publish": ["two.layout.json"],
+    "scene task": ["two.layout.json"],
     "scenario new": ["spleen.palpate", "--title", "Mine"],
     "scenario selfplay": ["spleen.palpate"],
     "scenario review": ["a.palpate", "--of", "task", "--by", "A", "--role", "surgeon"],

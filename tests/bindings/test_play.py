@@ -243,7 +243,7 @@ HEAD = '{"format": "palpate script", "version": 1, "frames": '
         ("[1, 2", "not JSON"),
         ("[" * 100_000, "not JSON"),
         ("[]", "no object"),
-        ('{"format": "palpate scene", "version": 1}', '"palpate script"'),
+        ('{"format": "palpate scene", "version": 1}', "got a scene file, expected a script"),
         ('{"format": "palpate script", "version": 2, "frames": []}', "version: got 2"),
         ('{"format": "palpate script", "version": true, "frames": []}', "version"),
         (HEAD + '[], "more": 1}', "more: got an unknown field"),

@@ -280,15 +280,17 @@ def show_crowd(view, scene: palpate.Scene) -> Bench:
     return Bench(view, scene)
 
 
-def test_of_several_bodies_the_mouse_begins_over_the_first(bench):
-    above = copy.copy(SCENE.bodies[0].tissue)
-    np.asarray(above.rest_position)[:] += (0.0, 0.0, 1.0)
-    bodies = [palpate.SoftBody(tissue=each) for each in (SCENE.bodies[0].tissue, above)]
+@pytest.mark.parametrize("aside", [(1.0, 0.0, 1.0), (0.0, 0.0, 1.0)])
+def test_of_several_bodies_the_mouse_begins_over_the_first_or_what_covers_it(bench, aside):
+    other = copy.copy(SCENE.bodies[0].tissue)
+    np.asarray(other.rest_position)[:] += aside
+    bodies = [palpate.SoftBody(tissue=each) for each in (SCENE.bodies[0].tissue, other)]
     two = palpate.build_scene(palpate.Scene(bodies=bodies))
 
     hand = PointerHand(bench.view, palpate.SurfacePointer(two), two)
 
-    assert hand.goal[2] <= np.asarray(SCENE.bodies[0].tissue.rest_position)[:, 2].max()
+    top = np.asarray(SCENE.bodies[0].tissue.rest_position)[:, 2].max()
+    assert hand.goal[2] == pytest.approx(top if aside[0] else top + 1.0, abs=2e-3)
 
 
 def test_the_mouse_presses_the_organ_that_is_under_it(view):

@@ -61,10 +61,12 @@ class PressTimes:
     end: float
 
 
-def find_top(scene: palpate.Scene) -> Place:
-    """Where a ray from above, over the middle of the first body's surface, meets a body first; the
-    first body's highest vertex where it meets none.
+def find_top(scene: palpate.Scene, body: int | None = None) -> Place:
+    """Where a ray from above, over the middle of a body's surface, meets it, or its highest vertex;
+    for None of the first body, or of what covers that.
     """
+    if body is not None:
+        return find_top_on(*take_surface(scene, body))
     surfaces = [take_surface(scene, body) for body in range(len(scene.bodies))]
     x, triangles = surfaces[0]
     middle = x[triangles].mean(axis=(0, 1))

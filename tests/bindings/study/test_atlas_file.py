@@ -40,7 +40,7 @@ def test_the_schema_has_every_field_of_an_atlas():
 
 
 FAULTS = [
-    (lambda d: d.update(format="palpate chart"), "format"),
+    (lambda d: d.update(format="palpate chart"), "got the chart of an organ, expected an atlas"),
     (lambda d: d.update(version=2), "version"),
     (lambda d: d.pop("present"), "no present"),
     (lambda d: d.update(rows={}), "rows"),

@@ -38,7 +38,7 @@ def test_the_schema_has_every_field_of_a_chart():
 
 
 FAULTS = [
-    (lambda d: d.update(format="palpate script"), "format"),
+    (lambda d: d.update(format="palpate script"), "got a script, expected a chart"),
     (lambda d: d.update(version=2), "version"),
     (lambda d: d.update(version=True), "version"),
     (lambda d: d.pop("organ"), "no organ"),
