@@ -67,6 +67,7 @@ def check_rubbed(felt: np.ndarray) -> None:
     assert np.abs(felt[:, AWAY]).max() == 0.0
 
 
+@pytest.mark.landing
 def test_a_probe_presses_and_rubs_a_spleen_with_the_same_bits_each_time():
     felt, found = rub(1)
     check_rubbed(felt)
