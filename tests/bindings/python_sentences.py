@@ -47,7 +47,9 @@ TOLD = ("find_appearance_fault",)
 REASONS = ("unit_reason", "up_reason")
 """Arguments that say why a unit or an axis was chosen."""
 CHECKED = "layout"
-"""The folder whose checks give a `Problem` of how bad, where and what, or `describe` part of it."""
+"""The folder whose checks give a `Problem` of how bad, where and what ..."""
+DESCRIBED = ("describe", "describe_slow_press")
+"""... or, of these names, part of it."""
 KINDS = "KINDS"
 """The table of json_part.py that says what a field takes."""
 CUT_ENDS = "CUT_ENDS"
@@ -132,7 +134,7 @@ def find_problems(function: ast.FunctionDef) -> Iterator[ast.expr]:
     for node in ast.walk(function):
         if isinstance(node, ast.Call) and ast.unparse(node.func) == "Problem":
             yield node.args[2]
-        if isinstance(node, ast.Return) and function.name == "describe" and node.value:
+        if isinstance(node, ast.Return) and function.name in DESCRIBED and node.value:
             yield node.value
 
 

@@ -15,6 +15,7 @@ from core_sentences import build_templates
 from english import say_in_turkish
 from hostile_scenarios import set_in, with_manifest
 from palpate import translation
+from palpate.files import file_kind
 from palpate.translation.refusals import CONTEXT, build_pattern, say_note, say_refusal
 from published import publish
 
@@ -35,6 +36,11 @@ FRAMES = {
 }  # fmt: skip
 """What sentences are made of: what stands between, and places within a file."""
 
+FILES = {
+    kind for name, kind in vars(file_kind).items() if name.isupper() and isinstance(kind, str)
+} - {file_kind.NOTHING, file_kind.OTHER, file_kind.NO_FILE}
+"""What a file is found to be, where it is none of those that are read."""
+
 
 @pytest.fixture(scope="module")
 def published(tmp_path_factory) -> bytes:
@@ -43,7 +49,7 @@ def published(tmp_path_factory) -> bytes:
 
 def test_every_refusal_of_what_a_window_opens_has_its_turkish_and_none_is_left_over():
     of_core, of_python = core_sentences.find_sentences(), python_sentences.find_sentences()
-    sentences = of_core | of_python
+    sentences = of_core | of_python | FILES
 
     assert len(of_core) > 250 and len(of_python) > 70
     assert sorted(sentences - set(WORDS)) == []

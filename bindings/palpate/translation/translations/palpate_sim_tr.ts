@@ -2872,10 +2872,6 @@
         <translation>%1, her köşe için altı tane</translation>
     </message>
     <message>
-        <source>1 or %1, which this program knows</source>
-        <translation>bu programın bildiği 1 veya %1</translation>
-    </message>
-    <message>
         <source>finite numbers [m/N]</source>
         <translation>sonlu sayılar [m/N]</translation>
     </message>
