@@ -12,9 +12,9 @@ from palpate.files.json_document import read_document
 from palpate.files.json_part import read_part
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
-from palpate.layout.document import FORMAT, VERSION, History, Layout, LayoutError
+from palpate.layout.document import FORMAT, VERSION, History, Layout
 from palpate.layout.stone import FEWEST, MOST
-from palpate.layout.task import find_task
+from palpate.layout.task import NO_TASK, TASK, parse_task
 from palpate.scene.instrument_kinds import KINDS
 
 MOST_BYTES = 16 * 2**20
@@ -98,11 +98,8 @@ def require_sound(path: Path, layout: Layout) -> None:
             raise Refusal(path, "tools[0].kind", repr(tool.kind), f"one of {', '.join(KINDS)}")
         if len(tool.trocar) not in (0, 3):
             raise Refusal(path, "tools[0].trocar", f"{len(tool.trocar)} numbers", "3, or none")
-    try:
-        find_task(layout)
-    except LayoutError as problem:
-        got, _, expected = str(problem).removeprefix("task: got ").partition(", expected ")
-        raise Refusal(path, "assessment", got, expected) from None
+    if layout.assessment and parse_task(layout.assessment) is None:
+        raise Refusal(path, "assessment", NO_TASK, TASK)
     bodies = {body.name for body in layout.bodies}
     known: list[set[str]] = []
     for index, pair in enumerate(layout.pairs):

@@ -9,21 +9,27 @@ from dataclasses import replace
 from palpate.assessment.author import Json, make_ids, new_assessment, without_muted
 from palpate.layout.document import Layout, LayoutError
 
+NO_TASK = "no assessment"
+TASK = "JSON that says palpate_scenario, as `palpate scenario new` writes it"
+
 
 def find_task(layout: Layout) -> Json | None:
     """None of a scene to feel. Raises LayoutError for what is none."""
     if not layout.assessment:
         return None
-    try:
-        task = json.loads(layout.assessment)
-    except (ValueError, RecursionError):
-        task = None
-    if not isinstance(task, dict) or "palpate_scenario" not in task:
-        raise LayoutError(
-            "task: got no assessment, expected JSON that says palpate_scenario, as "
-            "`palpate scenario new` writes it"
-        )
+    task = parse_task(layout.assessment)
+    if task is None:
+        raise LayoutError(f"task: got {NO_TASK}, expected {TASK}")
     return task
+
+
+def parse_task(text: str) -> Json | None:
+    """None of text that is no assessment."""
+    try:
+        task = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return task if isinstance(task, dict) and "palpate_scenario" in task else None
 
 
 def set_task(layout: Layout, task: Json | None) -> Layout:
