@@ -18,8 +18,29 @@ SEARCHED = 0.02
 
 
 @dataclass(frozen=True)
-class PairCosts:
-    """Of a press of the second body of a pair against the first."""
+class Pressed:
+    """How a press of the second body of a pair against the first went."""
+
+    end: palpate.Alarm
+    """What ended it early, or none."""
+    end_body: int
+    """Whose that is; -1 for none."""
+    most_touching: int
+    """Vertices within the thickness, at most."""
+    least_gap: float
+    """[m] infinite where they never touched, below 0 where they went through each other."""
+    substeps: float
+    """Of the body that took most, on the mean."""
+
+    @property
+    def alarm(self) -> str:
+        """What ended it early, in English; else empty."""
+        return str(describe_alarm(self.end)) if self.end else ""
+
+
+@dataclass(frozen=True)
+class PairCosts(Pressed):
+    """And what it took."""
 
     pair_median: float
     pair_p99: float
@@ -27,33 +48,6 @@ class PairCosts:
     tick_median: float
     tick_p99: float
     """[s] whole."""
-    most_touching: int
-    """Vertices within the thickness, at most."""
-    least_gap: float
-    """[m] infinite where they never touched, below 0 where they went through each other."""
-    end: palpate.Alarm
-    """What ended the press early, or none."""
-    end_body: int
-    """Whose that is."""
-
-    @property
-    def alarm(self) -> str:
-        """What ended the press early, in English; else empty."""
-        return str(describe_alarm(self.end)) if self.end else ""
-
-
-@dataclass(frozen=True)
-class Pressed:
-    """How a press went."""
-
-    alarm: palpate.Alarm
-    body: int
-    """Whose alarm it is; -1 for none."""
-    most_touching: int
-    least_gap: float
-    """[m] As of PairCosts."""
-    substeps: float
-    """Of the body that took most, on the mean."""
 
 
 def press_pair(scene: palpate.Scene, index: int, surfaces: list[Surface]) -> PairCosts | None:
@@ -66,16 +60,12 @@ def press_pair(scene: palpate.Scene, index: int, surfaces: list[Surface]) -> Pai
     if not samples:
         return None
     costs = palpate.measure_costs(scene, samples)
-    pressed = follow_press(scene, index, samples)
     return PairCosts(
-        costs.body_pairs[index].median,
-        costs.body_pairs[index].p99,
-        costs.tick.median,
-        costs.tick.p99,
-        pressed.most_touching,
-        pressed.least_gap,
-        pressed.alarm,
-        pressed.body,
+        **vars(follow_press(scene, index, samples)),
+        pair_median=costs.body_pairs[index].median,
+        pair_p99=costs.body_pairs[index].p99,
+        tick_median=costs.tick.median,
+        tick_p99=costs.tick.p99,
     )
 
 

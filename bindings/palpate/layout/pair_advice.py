@@ -15,7 +15,8 @@ from palpate.layout.nearest_value import find_nearest_value, round_to_two
 UNITS = {"thickness": "m", "stiffness": "N/m3"}
 """Of options with the constants that may be wrong."""
 FAR = 5.0
-"""[-] Times what would be chosen: nearer than that a constant is not suspected of many substeps."""
+"""[-] Times what would be chosen: a constant nearer to that is not taken for the cause of many
+substeps."""
 SPARE = 1.3
 """[-] Times the substeps with what would be chosen: these are not too many."""
 
@@ -49,7 +50,7 @@ Bears = Callable[[Pressed], bool]
 
 
 def is_sound(pressed: Pressed) -> bool:
-    return not pressed.alarm and pressed.least_gap >= 0.0
+    return not pressed.end and pressed.least_gap >= 0.0
 
 
 def advise_pair(scene: palpate.Scene, index: int, assembly: Assembly) -> PairAdvice | None:

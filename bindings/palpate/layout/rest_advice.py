@@ -15,7 +15,7 @@ from palpate.layout.nearest_value import find_nearest_value
 from palpate.layout.settle import settle
 
 FAR = 5.0
-"""[-] Times what is usual, or less: a constant nearer to that is not suspected."""
+"""[-] Times what is usual, or less: a constant nearer to that is not tried."""
 STONE, WATER, VISCOSITY, GRAVITY = 2000.0, 1000.0, 1e-3, 9.81
 """[kg/m³], [kg/m³], [Pa s], [m/s²] What is usual."""
 
@@ -32,7 +32,7 @@ class RestAdvice:
 
 
 @dataclass(frozen=True)
-class Suspect:
+class Candidate:
     """A constant that is far from what is usual."""
 
     where: str
@@ -50,44 +50,44 @@ class Suspect:
 def advise_rest(assembly: Assembly) -> RestAdvice | None:
     """What alone lets the scene rest, the least usual first; None where nothing does. Runs a second
     of it some times."""
-    suspects = [each for each in list_suspects(assembly) if each.excess > FAR]
-    for suspect in sorted(suspects, key=lambda each: -each.excess):
+    candidates = [each for each in list_candidates(assembly) if each.excess > FAR]
+    for candidate in sorted(candidates, key=lambda each: -each.excess):
 
-        def rests(value: float, suspect: Suspect = suspect) -> bool | None:
+        def rests(value: float, candidate: Candidate = candidate) -> bool | None:
             try:
-                return not settle(build(suspect.put(value))).end or None
+                return not settle(build(candidate.put(value))).end or None
             except ValueError:
                 return None
 
-        found = find_nearest_value(rests, suspect.value, suspect.usual)
+        found = find_nearest_value(rests, candidate.value, candidate.usual)
         if found is not None:
-            write = suspect.write
-            return RestAdvice(suspect.where, write(suspect.value), write(found[0]))
+            write = candidate.write
+            return RestAdvice(candidate.where, write(candidate.value), write(found[0]))
     return None
 
 
-def list_suspects(assembly: Assembly) -> Iterator[Suspect]:
+def list_candidates(assembly: Assembly) -> Iterator[Candidate]:
     """Those that are not 0."""
     layout = assembly.layout
     for number, placed in enumerate(layout.stones):
-        yield Suspect(
+        yield Candidate(
             placed.name, placed.density, STONE,
             lambda value, number=number: with_density(assembly, number, value),
             lambda value: f"--density {value:.2g}kg/m3",
         )  # fmt: skip
     density, viscosity = layout.fluid
     if layout.stones and density:
-        yield Suspect(
+        yield Candidate(
             "scene", density, WATER, lambda value: with_fluid(assembly, value, viscosity),
             lambda value: f"--fluid {value:.2g},{viscosity:.2g}",
         )  # fmt: skip
     if layout.stones and viscosity:
-        yield Suspect(
+        yield Candidate(
             "scene", viscosity, VISCOSITY, lambda value: with_fluid(assembly, density, value),
             lambda value: f"--fluid {density:.2g},{value:.2g}",
         )  # fmt: skip
     if layout.gravity and any(layout.gravity):
-        yield Suspect(
+        yield Candidate(
             "scene", float(np.linalg.norm(layout.gravity)), GRAVITY,
             lambda value: with_gravity(assembly, value),
             lambda value: "--gravity=" + ",".join(f"{g:.2g}" for g in scale(assembly, value)),

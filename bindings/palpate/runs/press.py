@@ -67,13 +67,11 @@ def find_top(scene: palpate.Scene, body: int | None = None) -> Place:
     """
     if body is not None:
         return find_top_on(*take_surface(scene, body))
-    surfaces = [take_surface(scene, body) for body in range(len(scene.bodies))]
+    surfaces = [take_surface(scene, number) for number in range(len(scene.bodies))]
     x, triangles = surfaces[0]
     middle = x[triangles].mean(axis=(0, 1))
-    tops = [top for each in surfaces if (top := find_under(*each, middle)) is not None]
-    if not tops:
-        return find_place_on(x, triangles, x[x[:, 2].argmax()])
-    return max(tops, key=lambda top: top.point[2])
+    covers = [top for each in surfaces[1:] if (top := find_under(*each, middle)) is not None]
+    return max([find_top_on(x, triangles), *covers], key=lambda top: top.point[2])
 
 
 def find_top_on(x: np.ndarray, triangles: np.ndarray) -> Place:

@@ -5,6 +5,7 @@
 #include "palpate/sim/contact/private/hold.h"
 #include "palpate/sim/contact/private/list_contacts.h"
 #include "palpate/sim/grasp/private/jaws.h"
+#include "palpate/sim/model/private/carriers.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {
@@ -16,25 +17,13 @@ struct ParticleRows {
   std::span<double> sums;  // [N/m] per particle
   double largest = 0.0;    // [1/s²]
 
-  template <class Take>
-  void for_each_carrier(int triangle, const Vec3& weights, Take take) const noexcept {
-    const Triangle& t = tissue.triangles[static_cast<std::size_t>(triangle)];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto v = static_cast<std::size_t>(t[c]);
-      const double weight = weights[static_cast<Eigen::Index>(c)];
-      for (std::size_t k = 0; k < 4; ++k) {
-        take(static_cast<std::size_t>(tissue.skin.corners[v][k]),
-             weight * tissue.skin.weights[v][k]);
-      }
-    }
-  }
-
   /// Of a contact J^T k J the row i has the sum k |J_i| sum_j |J_j|.
   void add(int triangle, const Vec3& weights, double stiffness) noexcept {
+    const Triangle& t = tissue.triangles[static_cast<std::size_t>(triangle)];
     double all = 0.0;
-    for_each_carrier(triangle, weights,
+    for_each_carrier(tissue, t, weights,
                      [&](std::size_t, double w) noexcept { all += std::abs(w); });
-    for_each_carrier(triangle, weights, [&](std::size_t i, double w) noexcept {
+    for_each_carrier(tissue, t, weights, [&](std::size_t i, double w) noexcept {
       sums[i] += stiffness * all * std::abs(w);
       largest = std::max(largest, sums[i] / tissue.mass[i]);
     });

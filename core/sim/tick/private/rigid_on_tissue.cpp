@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/model/private/carriers.h"
 #include "palpate/sim/tick/private/rigid_touch.h"
 
 namespace palpate {
@@ -112,20 +113,12 @@ void add_friction(const RigidView& body, std::size_t s, const SoftBody& soft,
 /// between a body and sum_i J_i x_i the row i of M⁻¹K has the sum k |J_i| (1 + sum_j |J_j|)/m_i.
 void add_under_skin(const TissueModel& tissue, const Triangle& corners, const Contact& contact,
                     std::span<double> rows) noexcept {
-  const Skin& skin = tissue.skin;
   double all = 1.0;
-  for (int c = 0; c < 3; ++c) {
-    const double weight = std::abs(contact.weights[c]);
-    for (const double w : skin.weights[at(corners[at(c)])]) all += weight * std::abs(w);
-  }
-  for (int c = 0; c < 3; ++c) {
-    const std::size_t v = at(corners[at(c)]);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto i = static_cast<std::size_t>(skin.corners[v][k]);
-      const double weight = std::abs(contact.weights[c] * skin.weights[v][k]);
-      rows[i] += contact.stiffness * all * weight / tissue.mass[i];
-    }
-  }
+  for_each_carrier(tissue, corners, contact.weights,
+                   [&](std::size_t, double w) noexcept { all += std::abs(w); });
+  for_each_carrier(tissue, corners, contact.weights, [&](std::size_t i, double w) noexcept {
+    rows[i] += contact.stiffness * all * std::abs(w) / tissue.mass[i];
+  });
 }
 
 }  // namespace

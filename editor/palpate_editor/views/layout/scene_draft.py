@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 
 import numpy as np
@@ -41,16 +40,12 @@ class SceneDraft(TaskDraft):
         super().__init__(parent)
         self.session = session
         self.shapes: dict[Key, PartShape] = {}
-        self._tell, self._log, self._text = tell, log, ""
+        self._tell, self._log = tell, log
 
     def show_layout(self, shapes: dict[Key, PartShape]) -> None:
         """The task of the layout as it is."""
         self.shapes = shapes
-        text = self.session.layout.assessment
-        if text != self._text:
-            self._text = text
-            self.assessment = json.loads(text) if text else None
-        self.show_assessment(self.assessment)
+        self.show_assessment(self.session.layout.assessment)
 
     # ------------------------------------------------------------ the layout's
 

@@ -7,32 +7,26 @@ from dataclasses import dataclass
 
 import numpy as np
 from palpate import scenario
-from palpate.assessment import author_values
 from palpate.assessment.selfplay import Attempt, attempt
 from palpate.layout.check import Checked
 from palpate.layout.document import Layout
 from palpate.layout.publish import make_scenario
 from palpate.layout.task import find_task, has_steps
 from palpate.translation.refusals import say_refusal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.layout_shapes import Key, PartShape
 from palpate_editor.views.jobs import Progress
 from palpate_editor.views.layout.scene_draft import SceneDraft
 from palpate_editor.views.layout.space_form import SpaceForm
 from palpate_editor.views.layout.task_marks import TaskMarks
-from palpate_editor.views.scenario.band_row import NumberRow
-from palpate_editor.views.scenario.limit_list import LimitList
-from palpate_editor.views.scenario.parameter_table import ParameterTable
-from palpate_editor.views.scenario.step_form import POINT, Choice, StepForm
-from palpate_editor.views.scenario.step_list import StepList
-from palpate_editor.views.scenario.text_table import TextTable
-from palpate_editor.views.scenario.tool_list import ToolList
+from palpate_editor.views.scenario.step_form import POINT
+from palpate_editor.views.scenario.task_forms import TaskForms
 from palpate_editor.views.stages.facts import CheckRow, Section, write_label
 from palpate_editor.views.stages.stage_panel import TONES
 from palpate_editor.views.theme import COLOURS
 from palpate_editor.views.touch.place_tool import PlaceTool
-from palpate_editor.views.translations import number, tr
+from palpate_editor.views.translations import tr
 
 TASK = "task: "
 """Where problems of the task are, among those of a scene."""
@@ -57,7 +51,7 @@ class CarefulWork:
         return attempt(scenario.draw_scene(made, drawn), drawn, "careful")
 
 
-class TaskPanel(QWidget):
+class TaskPanel(TaskForms, QWidget):
     """Writes the task into the layout of a window; every change is a step of its history."""
 
     def __init__(self, window: object, parent: QWidget | None = None):
@@ -91,51 +85,17 @@ class TaskPanel(QWidget):
         return made
 
     def _build_parts(self) -> None:
-        steps = self._section(tr("Steps"))
-        self.list = steps.add(StepList(self.draft, self))
-        self.step = self._section(tr("The chosen step"))
-        self.step_form = self.step.add(StepForm(self.draft, self))
+        hands = self.build_forms(self, self._section)
         self.step_form.draw_wanted.connect(self._draw)
         self.space = self.step.add(SpaceForm(self.draft, self))
-        tools = self._section(tr("Instruments"))
-        self.tools = tools.add(ToolList(self.draft, self))
-        limits = self._section(tr("Limits"))
-        self.limits = limits.add(LimitList(self.draft, self))
-        self.time = limits.add(NumberRow("time_limit", tr("Time limit"), "s", 1.0, 10.0, 60, self))
-        self.time.entered.connect(self._set_time)
-        values = self._section(tr("Levels and parameters"))
-        self.values = values.add(ParameterTable(self.draft, self))
-        texts = self._section(tr("Texts"))
-        self.texts = texts.add(TextTable(self.draft, self))
-        hands = self._section(tr("Self-play"))
-        hands.body.addLayout(self._build_play())
-        self.played = hands.add(write_label("", "note", self))
-        self.played.setWordWrap(True)
+        self.add_played(hands, self)
         self.checks = self._section(tr("Checks"))
         self.rows: list[CheckRow] = []
         self.remove_button = QPushButton(tr("Remove the task"), self)
         self.remove_button.setObjectName("remove_task")
         self.remove_button.clicked.connect(self.draft.remove)
         self.column.addWidget(self.remove_button)
-        self.parts = [steps, tools, limits, values, texts, hands, self.checks, self.remove_button]
-
-    def _build_play(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        self.level = Choice(self)
-        self.level.setObjectName("level")
-        self.level.setAccessibleName(tr("Level"))
-        self.level.activated.connect(self._set_level)
-        self.seed = QSpinBox(self)
-        self.seed.setObjectName("seed")
-        self.seed.setAccessibleName(tr("Seed"))
-        self.seed.setPrefix(tr("seed") + " ")
-        self.seed.setRange(0, 9999)
-        self.play_button = QPushButton(tr("Careful hand"), self)
-        self.play_button.setObjectName("play_careful")
-        self.play_button.clicked.connect(self.play)
-        for widget in (self.level, self.seed, self.play_button):
-            row.addWidget(widget, 1)
-        return row
+        self.parts += [self.checks, self.remove_button]
 
     # ------------------------------------------------------------ showing
 
@@ -143,27 +103,15 @@ class TaskPanel(QWidget):
         self.draft.show_layout(shapes)
 
     def _show_draft(self) -> None:
-        task, layout = self.draft.assessment, self.draft.layout
-        begun = task is not None
+        layout = self.draft.layout
         self.lead.setText(
             tr("Say what a trainee does, step by step; it is judged in every tick.")
             if layout.bodies
             else tr("A task is of what is in the scene: add an organ first.")
         )
-        self.new_button.setVisible(not begun)
+        self.new_button.setVisible(self.draft.assessment is None)
         self.new_button.setEnabled(bool(layout.bodies))
-        for part in self.parts:
-            part.setVisible(begun)
-        self.step.setVisible(begun and self.draft.step is not None)
-        if task is None:
-            return
-        self.time.show_value(task["finish"].get("time_limit_s", 0.0))
-        self.level.setVisible(bool(self.draft.levels))
-        self.level.clear()
-        for level in self.draft.levels:
-            self.level.addItem(level, level)
-        self.level.setCurrentIndex(max(self.level.findData(self.draft.level), 0))
-        self.play_button.setEnabled(bool(self.draft.steps))
+        self.show_forms()
 
     def show_checked(self, checked: Checked | None) -> None:
         """What is wrong with the task; None while nothing is known."""
@@ -210,14 +158,7 @@ class TaskPanel(QWidget):
         if body is not None:
             self.draft.set_place("spot", self.draft.of_point(body, point))
 
-    # ------------------------------------------------------------ numbers, hands
-
-    def _set_time(self, seconds: float) -> None:
-        if self.draft.assessment is not None and seconds > 0.0:
-            self.draft.change("finish", author_values.set_time, seconds)
-
-    def _set_level(self) -> None:
-        self.draft.level = str(self.level.currentData() or "")
+    # ------------------------------------------------------------ hands
 
     def play(self) -> None:
         """A careful hand at the chosen level and seed."""
@@ -225,14 +166,5 @@ class TaskPanel(QWidget):
         if checked is None or checked.scene is None or checked.has_errors:
             window.tell(tr("The task cannot be played yet: see the checks."), "info")
             return
-        work = CarefulWork(self.draft.layout, checked, self.draft.level, self.seed.value())
-        window.jobs.start(tr("A careful hand plays"), work, self._take_attempt, window.refuse)
-
-    def _take_attempt(self, played: Attempt) -> None:
-        told = played.describe()
-        done = tr("done") if told["outcome"] == "done" else tr("not done")
-        text = tr("A careful hand: {outcome} in {time} s, {errors} errors, peak {peak} N.")
-        self.played.setText(
-            text.format(outcome=done, time=number(told["time_s"], 3), errors=told["errors"],
-                        peak=number(told["peak_force_N"], 3))
-        )  # fmt: skip
+        work = CarefulWork(self.draft.layout, checked, self.draft.level, self.draft.seed)
+        window.jobs.start(tr("A careful hand plays"), work, self.show_played, window.refuse)

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import json
-
 import numpy as np
 from palpate.assessment import author
 from palpate.assessment.author import Json
@@ -28,13 +26,9 @@ class Draft(TaskDraft):
     def __init__(self, context: Context, parent: QObject | None = None):
         super().__init__(parent)
         self.context = context
-        self._text = ""
 
     def show_organ(self, organ: Organ) -> None:
-        if organ.assessment != self._text:
-            self._text = organ.assessment
-            self.assessment = json.loads(organ.assessment) if organ.assessment else None
-        self.show_assessment(self.assessment)
+        self.show_assessment(organ.assessment)
 
     @property
     def regions(self) -> list[str]:

@@ -4,44 +4,35 @@
 from __future__ import annotations
 
 import numpy as np
-from palpate.assessment import author_values
 from palpate.assessment.check_problem import Problem as TaskProblem
 from palpate.assessment.selfplay import Attempt
 from palpate.command.verb import Report
 from palpate.runs.hand_record import find_bands
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from palpate_editor.document import Organ, phrase
 from palpate_editor.document.problems import Problem
 from palpate_editor.surface_path import follow_surface
 from palpate_editor.views.context import Context
 from palpate_editor.views.publishing import Publishing
-from palpate_editor.views.scenario.band_row import NumberRow
 from palpate_editor.views.scenario.draft import Draft
-from palpate_editor.views.scenario.limit_list import LimitList
-from palpate_editor.views.scenario.parameter_table import ParameterTable
 from palpate_editor.views.scenario.place_marks import PlaceMarks
 from palpate_editor.views.scenario.place_tools import PathTool
 from palpate_editor.views.scenario.play_work import CarefulWork, CheckWork, EveryHandWork
-from palpate_editor.views.scenario.step_form import PATH, POINT, Choice, StepForm
-from palpate_editor.views.scenario.step_list import StepList
+from palpate_editor.views.scenario.step_form import PATH, POINT
 from palpate_editor.views.scenario.task_draft import round_point
-from palpate_editor.views.scenario.text_table import TextTable
+from palpate_editor.views.scenario.task_forms import TaskForms
 from palpate_editor.views.scenario.time_line import TimeLine
-from palpate_editor.views.scenario.tool_list import ToolList
-from palpate_editor.views.stages.facts import write_label
 from palpate_editor.views.stages.stage_panel import StagePanel, Workers
 from palpate_editor.views.touch.force_plot import ForcePlot
 from palpate_editor.views.touch.live_costs import LiveCosts
 from palpate_editor.views.touch.place_tool import PlaceTool
 from palpate_editor.views.touch.results import Outcome
 from palpate_editor.views.touch.runner import HandRequest, Runner
-from palpate_editor.views.translations import number, tr
-
-MOST_SEED = 9999
+from palpate_editor.views.translations import tr
 
 
-class ScenarioPanel(StagePanel):
+class ScenarioPanel(TaskForms, StagePanel):
     """Writes the task of the open organ; every change is an edit."""
 
     stage = "scenario"
@@ -106,78 +97,28 @@ class ScenarioPanel(StagePanel):
         self.new_button = self.main_button(tr("New scenario"), "new_scenario")
         self.new_button.clicked.connect(self.draft.begin)
         self.form.addWidget(self.new_button)
-        self.parts: list[QWidget] = []
-        steps = self.section(tr("Steps"))
-        self.list = steps.add(StepList(self.draft, self))
-        self.step = self.section(tr("The chosen step"))
-        self.step_form = self.step.add(StepForm(self.draft, self))
+        hands = self.build_forms(self, self.section)
         self.step_form.draw_wanted.connect(self._draw)
         self.step_form.record_wanted.connect(self._record)
-        tools = self.section(tr("Instruments"))
-        self.tools = tools.add(ToolList(self.draft, self))
-        limits = self.section(tr("Limits"))
-        self.limits = limits.add(LimitList(self.draft, self))
-        self.time = limits.add(NumberRow("time_limit", tr("Time limit"), "s", 1.0, 10.0, 60, self))
-        self.time.entered.connect(self._set_time)
-        values = self.section(tr("Levels and parameters"))
-        self.values = values.add(ParameterTable(self.draft, self))
-        texts = self.section(tr("Texts"))
-        self.texts = texts.add(TextTable(self.draft, self))
-        hands = self.section(tr("Self-play"))
-        hands.body.addLayout(self._build_play())
-        self.line = hands.add(TimeLine(self))
-        self.played = hands.add(write_label("", "note", self))
-        self.played.setWordWrap(True)
-        self.parts = [steps, tools, limits, values, texts, hands]
-        self.draft.shown.connect(self._show_draft)
-
-    def _build_play(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        row.setSpacing(6)
-        self.level = Choice(self)
-        self.level.setObjectName("level")
-        self.level.setAccessibleName(tr("Level"))
-        self.level.activated.connect(self._set_level)
-        self.seed = QSpinBox(self)
-        self.seed.setObjectName("seed")
-        self.seed.setAccessibleName(tr("Seed"))
-        self.seed.setPrefix(tr("seed") + " ")
-        self.seed.setRange(0, MOST_SEED)
-        self.seed.valueChanged.connect(self._set_seed)
-        self.play_button = QPushButton(tr("Careful hand"), self)
-        self.play_button.setObjectName("play_careful")
-        self.play_button.clicked.connect(self.play)
         self.every_button = QPushButton(tr("Every hand"), self)
         self.every_button.setObjectName("play_every")
         self.every_button.setToolTip(tr("Careful, idle, violent and clumsy hands, every level"))
         self.every_button.clicked.connect(self.play_every)
-        for widget in (self.level, self.seed, self.play_button, self.every_button):
-            row.addWidget(widget, 1)
-        return row
+        self.play_row.addWidget(self.every_button, 1)
+        self.line = hands.add(TimeLine(self))
+        self.add_played(hands, self)
+        self.draft.shown.connect(self._show_draft)
 
     def show_organ(self, organ: Organ) -> None:
         self.draft.show_organ(organ)
 
     def _show_draft(self) -> None:
-        begun = self.draft.assessment is not None
-        self.new_button.setVisible(not begun)
+        self.new_button.setVisible(self.draft.assessment is None)
         self.new_button.setEnabled(self.context.session.organ.surface is not None)
-        for part in self.parts:
-            part.setVisible(begun)
-        self.step.setVisible(begun and self.draft.step is not None)
-        if self.draft.assessment is None:
+        if not self.show_forms():
             self.line.show_attempt(None)
             return
-        self.time.show_value(self.draft.assessment["finish"].get("time_limit_s", 0.0))
-        levels = self.draft.levels
-        self.level.setVisible(bool(levels))
-        self.level.clear()
-        for level in levels:
-            self.level.addItem(level, level)
-        self.level.setCurrentIndex(max(self.level.findData(self.draft.level), 0))
-        ready = bool(self.draft.steps)
-        self.play_button.setEnabled(ready)
-        self.every_button.setEnabled(ready)
+        self.every_button.setEnabled(bool(self.draft.steps))
 
     def _on_stage(self, stage: str) -> None:
         if stage != self.stage:
@@ -298,16 +239,6 @@ class ScenarioPanel(StagePanel):
 
     # ------------------------------------------------------------ numbers, hands
 
-    def _set_time(self, seconds: float) -> None:
-        if self.draft.assessment is not None and seconds > 0.0:
-            self.draft.change("finish", author_values.set_time, seconds)
-
-    def _set_level(self) -> None:
-        self.draft.level = str(self.level.currentData() or "")
-
-    def _set_seed(self, seed: int) -> None:
-        self.draft.seed = seed
-
     def play(self) -> None:
         """A careful hand at the chosen level and seed."""
         known = self.context.assessment
@@ -321,13 +252,7 @@ class ScenarioPanel(StagePanel):
 
     def _take_attempt(self, played: Attempt) -> None:
         self.line.show_attempt(played)
-        told = played.describe()
-        done = tr("done") if told["outcome"] == "done" else tr("not done")
-        text = tr("A careful hand: {outcome} in {time} s, {errors} errors, peak {peak} N.")
-        self.played.setText(
-            text.format(outcome=done, time=number(told["time_s"], 3), errors=told["errors"],
-                        peak=number(told["peak_force_N"], 3))
-        )  # fmt: skip
+        self.show_played(played)
 
     def play_every(self) -> None:
         """All hands: some minutes."""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import numpy as np
@@ -32,12 +33,15 @@ class TaskDraft(QObject):
     def __init__(self, parent: QObject | None = None):
         super().__init__(parent)
         self.assessment: Json | None = None
+        self._text = ""
         self.step_id = ""
         self.level, self.seed = "", 0
 
-    def show_assessment(self, assessment: Json | None) -> None:
-        """What stands there now."""
-        self.assessment = assessment
+    def show_assessment(self, text: str) -> None:
+        """What stands there now, as it is kept; empty: none."""
+        if text != self._text:
+            self._text = text
+            self.assessment = json.loads(text) if text else None
         ids = [step["id"] for step in self.steps]
         if self.step_id not in ids:
             self.step_id = ids[-1] if ids else ""

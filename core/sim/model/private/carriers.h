@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "palpate/sim/model/tissue_model.h"
+
+namespace palpate {
+
+/// Calls take(particle, weight) for each of the four particles on which each corner of a triangle
+/// of a skin hangs: what the weights [-] of a point in the triangle are on particles.
+template <class Take>
+void for_each_carrier(const TissueModel& tissue, const Triangle& corners, const Vec3& weights,
+                      Take take) noexcept {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto v = static_cast<std::size_t>(corners[c]);
+    const double weight = weights[static_cast<Eigen::Index>(c)];
+    for (std::size_t k = 0; k < 4; ++k) {
+      take(static_cast<std::size_t>(tissue.skin.corners[v][k]), weight * tissue.skin.weights[v][k]);
+    }
+  }
+}
+
+}  // namespace palpate
