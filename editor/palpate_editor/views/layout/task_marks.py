@@ -8,6 +8,7 @@ from palpate.assessment.author import SPACES, Json, make_ids
 from palpate.layout.placed import move_points
 from palpate.render import Appearance, Shape, build_sphere
 from palpate.viewport import View
+from palpate.viewport.ring import build_ring
 from PySide6.QtCore import QObject
 
 from palpate_editor.layout_shapes import key_of
@@ -17,6 +18,8 @@ PLACE = Appearance((0.1, 0.75, 0.95), gloss=0.0, seen_through=True, ghost=0.5, c
 SPACE = Appearance((0.3, 0.8, 0.45), gloss=0.0, seen_through=True, ghost=0.25, casts_shadow=False)
 DOT = 0.0015
 """[m] Radius of the mark of a place."""
+THIN = 0.01
+"""[-] Of a ball's radius: of the rings that outline it."""
 
 
 class TaskMarks(QObject):
@@ -69,8 +72,14 @@ class TaskMarks(QObject):
 
 
 def find_ball(numbers: object) -> Shape | None:
-    """None of numbers that a parameter says."""
+    """Its outline, three rings that hide nothing; None of numbers that a parameter says."""
     if not isinstance(numbers, list) or any(isinstance(each, str) for each in numbers):
         return None
     *centre, radius = numbers
-    return build_sphere(np.array(centre), float(radius))
+    rings = [build_ring(centre, axis, float(radius), THIN * float(radius)) for axis in np.eye(3)]
+    first = np.cumsum([0, *(len(ring.vertices) for ring in rings)]).astype(np.uint32)
+    return Shape(
+        np.vstack([ring.vertices for ring in rings]),
+        np.vstack([ring.normals for ring in rings]),
+        np.vstack([ring.triangles + n for ring, n in zip(rings, first, strict=False)]),
+    )
