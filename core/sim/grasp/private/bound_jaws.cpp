@@ -5,7 +5,7 @@
 #include "palpate/sim/contact/private/hold.h"
 #include "palpate/sim/contact/private/list_contacts.h"
 #include "palpate/sim/grasp/private/jaws.h"
-#include "palpate/sim/model/private/carriers.h"
+#include "palpate/sim/model/private/sum_over_pushes.h"
 #include "palpate/sim/model/tissue_model.h"
 
 namespace palpate {

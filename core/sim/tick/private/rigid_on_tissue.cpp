@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "palpate/sim/contact/contact_law.h"
-#include "palpate/sim/model/private/carriers.h"
+#include "palpate/sim/model/private/sum_over_pushes.h"
 #include "palpate/sim/tick/private/rigid_touch.h"
 
 namespace palpate {
