@@ -7,6 +7,7 @@
 
 #include "bindings.h"
 #include "border.h"
+#include "interrupt.h"
 #include "palpate/sim/session/record.h"
 #include "rows.h"
 #include "task_bindings.h"
@@ -155,8 +156,14 @@ void bind_replay(py::module_& m) {
       [](const Scene& scene, const Record& record, const Task* task) {
         require_built(scene);
         if (task) require_fit(*task, scene);
-        const py::gil_scoped_release released;
-        return replay(scene, record, task);
+        Interrupt interrupt;
+        ReplayReport report;
+        {
+          const py::gil_scoped_release released;
+          report = replay(scene, record, task, [&] { return interrupt.came(); });
+        }
+        interrupt.rethrow();
+        return report;
       },
       "scene"_a, "record"_a, "task"_a = py::none(),
       "Runs the recorded hands through the same tick from a fresh world, and judges a task, of "

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import copy
 import json
+import signal
 import sys
+import time
 
 import numpy as np
 import palpate
@@ -110,6 +112,31 @@ def test_a_record_with_pauses_replays_bit_by_bit_and_tells_of_them(tmp_path):
     assert replayed.ticks == report.ticks
     # the script's time stood still: no two ticks are further apart than the ticks between them
     assert np.diff(record.hand["time"]).max() < 1e-3 * (1.5 + report.missed_ticks)
+
+
+def test_a_signal_ends_a_replay():
+    scene, rows = organ_scene(1), palpate.Record()
+    still = np.zeros(20_000, rows.hand.dtype), np.zeros(20_000, rows.felt.dtype)
+    record = palpate.Record(hand=still[0], felt=still[1])
+    start = time.process_time()
+    palpate.replay(scene, record)
+    whole = time.process_time() - start
+
+    def end(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGPROF, end)
+    try:
+        # after a tenth of the processor time
+        signal.setitimer(signal.ITIMER_PROF, 0.1 * whole)
+        with pytest.raises(KeyboardInterrupt):
+            palpate.replay(scene, record)
+        spent = time.process_time() - start - whole
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
+
+    assert spent < 0.7 * whole
 
 
 def test_a_finished_run_is_not_started_again_and_finishes_as_often_as_one_likes(tmp_path):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -30,6 +31,9 @@ def play_headless(play: Play) -> Report:
     costs = run_device(
         play.scenario.scene, driven, play.duration, path, play.path, safety, play.drawn
     )
+    if play.drawn is not None:
+        text = "the run is over; it is judged by its replay, which takes as long as it computed"
+        print(text, file=sys.stderr, flush=True)
     state = describe_device(device)
     outcome = describe_outcome(costs)
     if outcome["outcome"] != DEVICE_FAULT and 0 < costs.ticks == costs.unrendered_ticks:

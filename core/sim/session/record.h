@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -86,8 +87,10 @@ struct ReplayReport {
 /// build_task with that scene, where one is given. What the judge leaves undecided came out as the
 /// record says: left, a fault of the device, or interrupted, where it does not say. Throws
 /// std::invalid_argument for a record that lost ticks, or of another number of instruments than the
-/// scene or the task has.
-ReplayReport replay(const Scene& scene, const Record& record, const Task* task = nullptr);
+/// scene or the task has. It takes as long as the run computed: `stopped`, asked before every tick,
+/// ends it there, and the report, of the ticks until then, is not equal.
+ReplayReport replay(const Scene& scene, const Record& record, const Task* task = nullptr,
+                    const std::function<bool()>& stopped = {});
 
 /// How the task of a recorded run came out: as its last event says, else `interrupted`, also for a
 /// record without a task.

@@ -224,7 +224,8 @@ Outcome find_outcome(const Record& record) noexcept {
   return Outcome::interrupted;
 }
 
-ReplayReport replay(const Scene& scene, const Record& record, const Task* task) {
+ReplayReport replay(const Scene& scene, const Record& record, const Task* task,
+                    const std::function<bool()>& stopped) {
   validate(scene, record);
   if (task) validate(*task, scene.instruments.size());
   const std::size_t tick_count = count_ticks(record), instruments = scene.instruments.size();
@@ -248,6 +249,11 @@ ReplayReport replay(const Scene& scene, const Record& record, const Task* task) 
   std::optional<Rejudging> rejudging;
   if (task) rejudging.emplace(*task, record, report);
   for (std::size_t t = 0; t < tick_count; ++t) {
+    if (stopped && stopped()) {
+      report.ticks = static_cast<long>(t);
+      comparison.differs_at(t);
+      break;
+    }
     const std::size_t row = t * instruments;
     const std::span hands = std::span(record.hand).subspan(row, instruments);
     if (slow) {

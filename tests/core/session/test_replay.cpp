@@ -55,6 +55,22 @@ std::string refusal_of(const Scene& scene, const Record& record) {
 
 }  // namespace
 
+TEST_CASE("a replay that is stopped has run the ticks until then, and is not equal") {
+  const Scene scene = press_scene();
+  const Record record = press_record(scene);
+  int asked = 0;
+
+  const ReplayReport some = replay(scene, record, nullptr, [&] { return ++asked > 100; });
+  const ReplayReport whole = replay(scene, record, nullptr, [] { return false; });
+
+  CHECK(some.ticks == 100);
+  CHECK(some.felt.size() == 100);
+  CHECK(!some.equal);
+  CHECK(some.first_difference == 100);
+  CHECK(whole.equal);
+  CHECK(whole.ticks == 500);
+}
+
 TEST_CASE("a record with an alarm replays, also one made before forces faded after it") {
   const Scene scene = press_scene();
   Record record = press_record(scene);
