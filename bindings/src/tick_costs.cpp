@@ -31,7 +31,8 @@ void bind_tick_costs(py::module_& m) {
   py::class_<PairCost> pair(m, "PairCost",
                             "What an instrument cost with a body in one tick, [s]. Where a tool "
                             "may touch several bodies at once it is balanced among all of them, "
-                            "and the time for that is shared out by their candidates.");
+                            "and the time for that is shared out by their candidates. Or two "
+                            "bodies, a body and scenery, or rigid bodies with all they touch.");
   pair.def(py::init<>())
       .def_readonly("candidates", &PairCost::candidates, "[s] Found in the body's tree.")
       .def_readonly("contact", &PairCost::contact,
@@ -48,10 +49,13 @@ void bind_tick_costs(py::module_& m) {
   def_elements(costs, "instruments", &TickCosts::instruments, "A tuple.");
   def_elements(costs, "pairs", &TickCosts::pairs, "A tuple.");
   def_elements(costs, "body_pairs", &TickCosts::body_pairs, "As Scene.body_pairs, a tuple.");
+  def_elements(costs, "scenery", &TickCosts::scenery,
+               "Bodies that it stops, as World.scenery_contacts, a tuple.");
+  costs.def_readonly("rigid", &TickCosts::rigid, "All rigid bodies, a PairCost.");
   costs.def_readonly("tick", &TickCosts::tick, "[s] the whole");
   def_value(costs, &TickCosts::bodies, &TickCosts::instruments, &TickCosts::pairs,
-            &TickCosts::body_pairs, &TickCosts::tick);
-  def_repr(costs, {"tick", "bodies", "instruments", "pairs", "body_pairs"});
+            &TickCosts::body_pairs, &TickCosts::scenery, &TickCosts::rigid, &TickCosts::tick);
+  def_repr(costs, {"tick", "bodies", "instruments", "pairs", "body_pairs", "scenery", "rigid"});
 }
 
 void bind_scene_costs(py::module_& m) {
@@ -75,11 +79,16 @@ void bind_scene_costs(py::module_& m) {
   def_elements(costs, "pairs", &SceneCosts::pairs,
                "Every instrument with every body, as World.pairs, a tuple.");
   def_elements(costs, "body_pairs", &SceneCosts::body_pairs, "As Scene.body_pairs, a tuple.");
+  def_elements(costs, "scenery", &SceneCosts::scenery,
+               "Bodies that it stops, as World.scenery_contacts, a tuple.");
+  costs.def_readonly("rigid", &SceneCosts::rigid,
+                     "All rigid bodies with what they touch; zeros without any.");
   costs.def_readonly("alarm", &SceneCosts::alarm, "What ended the run early; false for nothing.");
   def_value(costs, &SceneCosts::ticks, &SceneCosts::tick, &SceneCosts::bodies,
             &SceneCosts::instruments, &SceneCosts::pairs, &SceneCosts::body_pairs,
-            &SceneCosts::alarm);
-  def_repr(costs, {"ticks", "tick", "bodies", "instruments", "pairs", "body_pairs", "alarm"});
+            &SceneCosts::scenery, &SceneCosts::rigid, &SceneCosts::alarm);
+  def_repr(costs, {"ticks", "tick", "bodies", "instruments", "pairs", "body_pairs", "scenery",
+                   "rigid", "alarm"});
 }
 
 }  // namespace

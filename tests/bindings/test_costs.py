@@ -15,6 +15,7 @@ from palpate.runs.costs import press_costs
 from palpate.runs.live import LiveRun
 from palpate.runs.press import PressScript, find_top, write_script
 from palpate.runs.run import read_scene
+from stones import make_stone_scene
 from surfaces import organ_scene
 
 DT = 1e-3
@@ -37,6 +38,17 @@ def test_a_press_has_the_cost_of_every_part(scene):
     for part in (*costs.bodies, *costs.instruments, *costs.pairs):
         assert 0.0 < part.median <= part.p99 <= part.max <= costs.tick.max
     assert pickle.loads(pickle.dumps(costs)).bodies[0].median == costs.bodies[0].median
+
+
+def test_scenery_and_stones_have_costs_of_their_own(scene):
+    costs = press_costs(make_stone_scene(), TOUCH)
+
+    assert not costs.alarm
+    assert len(costs.scenery) == 1
+    assert 0.0 < costs.rigid.median <= costs.rigid.max <= costs.tick.max
+    assert pickle.loads(pickle.dumps(costs)).rigid == costs.rigid
+    without = press_costs(scene, TOUCH)
+    assert (without.scenery, without.rigid.max) == ((), 0.0)
 
 
 def test_a_live_run_measures_its_parts_only_where_it_is_asked_to(scene):

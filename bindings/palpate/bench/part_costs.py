@@ -26,6 +26,11 @@ def measure_part_costs(path: Path) -> Row:
         parts.append(describe(f"instrument {k // bodies} on body {k % bodies}", cost))
     for pair, cost in zip(scene.body_pairs, costs.body_pairs, strict=True):
         parts.append(describe(f"body {pair.first} on body {pair.second}", cost))
+    stops = [(s, body) for s, part in enumerate(scene.scenery) for body in part.bodies]
+    for (s, body), cost in zip(stops, costs.scenery, strict=True):
+        parts.append(describe(f"body {body} on scenery {s}", cost))
+    if scene.rigid:
+        parts.append(describe(f"{len(scene.rigid)} rigid", costs.rigid))
     return {
         "scene": str(path),
         "ticks": costs.ticks,

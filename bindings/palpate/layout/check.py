@@ -25,6 +25,7 @@ from palpate.layout.placed import read_placed
 from palpate.layout.publish import make_scenario
 from palpate.layout.separate import MOST_SHIFT, Separation
 from palpate.runs.alarms import tell_alarm
+from palpate.runs.costs import press_costs
 from palpate.scene.tick_cost import TICK_SHARE
 
 
@@ -40,6 +41,8 @@ class Checked:
     """By the number of the pair."""
     separations: list[tuple[Problem, Separation]] = field(default_factory=list)
     """What had to be done to bodies, with the problem that tells it."""
+    press: palpate.SceneCosts | None = None
+    """Of a press of the first body, where there are stones or scenery and no pair was pressed."""
 
     @property
     def has_errors(self) -> bool:
@@ -79,7 +82,9 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
     costs = measure_pairs(scene, assembly) if measures else {}
     if measures:
         problems += find_cost_problems(layout, scene, costs, assembly)
-    return Checked(problems, scene, assembly, costs, parted)
+    alone = measures and not costs and (scene.rigid or scene.scenery)
+    press = press_costs(scene) if alone else None
+    return Checked(problems, scene, assembly, costs, parted, press)
 
 
 def find_task_problems(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> list[Problem]:

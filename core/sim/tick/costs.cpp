@@ -26,8 +26,10 @@ CostHistograms::CostHistograms(const World& world)
       instruments_(world.instruments.size()),
       pairs_(world.pairs.size()),
       body_pairs_(world.body_pairs.size()),
+      scenery_(world.scenery_contacts.size()),
+      rigid_(world.rigid.empty() ? 0 : 1),
       parts_(std::make_unique<DurationHistogram[]>(1 + bodies_ + instruments_ + pairs_ +
-                                                   body_pairs_)) {}
+                                                   body_pairs_ + scenery_ + rigid_)) {}
 
 void CostHistograms::add(const TickCosts& costs) noexcept {
   DurationHistogram* part = parts_.get();
@@ -36,6 +38,8 @@ void CostHistograms::add(const TickCosts& costs) noexcept {
   for (const InstrumentCost& cost : costs.instruments) add_seconds(cost.total(), *part++);
   for (const PairCost& cost : costs.pairs) add_seconds(cost.total(), *part++);
   for (const PairCost& cost : costs.body_pairs) add_seconds(cost.total(), *part++);
+  for (const PairCost& cost : costs.scenery) add_seconds(cost.total(), *part++);
+  if (rigid_ > 0) add_seconds(costs.rigid.total(), *part++);
 }
 
 SceneCosts CostHistograms::summarise() const {
@@ -50,6 +54,8 @@ SceneCosts CostHistograms::summarise() const {
   take(instruments_, costs.instruments);
   take(pairs_, costs.pairs);
   take(body_pairs_, costs.body_pairs);
+  take(scenery_, costs.scenery);
+  if (rigid_ > 0) costs.rigid = percentiles_of(*part++);
   return costs;
 }
 

@@ -29,8 +29,8 @@ struct InstrumentCost {
 };
 
 /// [s] of one tick. Where a tool may touch several bodies at once it is balanced among all of them,
-/// and the time for that is shared out by their candidates. Of two bodies: their lists and what
-/// they ask of the steps, and their contacts.
+/// and the time for that is shared out by their candidates. Of two bodies, of a body and scenery,
+/// and of rigid bodies: their lists and what they ask of the steps, and their contacts.
 struct PairCost {
   double candidates = 0.0;  ///< found in the body's tree
   double contact = 0.0;     ///< the tool balanced against the body, all substeps
@@ -43,6 +43,8 @@ struct TickCosts {
   std::vector<InstrumentCost> instruments;
   std::vector<PairCost> pairs;
   std::vector<PairCost> body_pairs;  ///< bodies with each other, as Scene::body_pairs
+  std::vector<PairCost> scenery;     ///< bodies that it stops, as World::scenery_contacts
+  PairCost rigid;                    ///< all rigid bodies with what they touch, and their motion
   double tick = 0.0;                 ///< [s] the whole
 };
 
@@ -59,6 +61,8 @@ struct SceneCosts {
   std::vector<Percentiles> instruments;  ///< as Scene::instruments
   std::vector<Percentiles> pairs;        ///< every instrument with every body
   std::vector<Percentiles> body_pairs;   ///< bodies with each other, as Scene::body_pairs
+  std::vector<Percentiles> scenery;      ///< bodies that it stops, as World::scenery_contacts
+  Percentiles rigid;                     ///< all rigid bodies; zeros without any
   Alarm alarm;                           ///< that ended the run early
 };
 

@@ -233,6 +233,20 @@ def test_each_pair_is_measured_and_the_scene_published(qtbot, scene, tmp_path):
     assert budget.parts[0].name == "left and right"
 
 
+def test_of_one_organ_with_a_stone_every_part_is_measured(qtbot, scene, tmp_path):
+    scene.choose("right")
+    scene.remove()
+    wait(qtbot, scene)
+    scene.publish(str(tmp_path / "one.palpate"))
+    qtbot.waitUntil(lambda: scene.jobs.current is None, timeout=PATIENCE)
+
+    budget = scene.panel.budget.budget
+    assert budget is not None, scene.messages.text
+    names = [part.name for part in budget.parts]
+    layout = scene.session.layout
+    stops = [f"left and {part.name}" for part in layout.scenery for _ in part.stops]
+    assert names == ["left", "Tool", *(stone.name for stone in layout.stones), *stops]
+    assert 0.0 < budget.parts[0].median <= budget.median
 def test_what_a_killed_editor_left_of_a_scene_is_offered_and_taken_up(
     qtbot, make_editor, scene, two, tmp_path
 ):

@@ -44,8 +44,8 @@ class CostHistograms {
   SceneCosts summarise() const;
 
  private:
-  std::size_t bodies_, instruments_, pairs_, body_pairs_;
-  std::unique_ptr<DurationHistogram[]> parts_;  // the tick, bodies, instruments, pairs, body_pairs
+  std::size_t bodies_, instruments_, pairs_, body_pairs_, scenery_, rigid_;
+  std::unique_ptr<DurationHistogram[]> parts_;  // the tick, and then as the counts above
 };
 
 }  // namespace palpate

@@ -6,6 +6,7 @@
 #include "palpate/sim/collision/private/stop.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/private/packed_checkpoint.h"
+#include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/safeguard.h"
 #include "palpate/sim/tree/private/box_distance.h"
@@ -167,11 +168,13 @@ void find_scenery_contacts(const Scene& scene, World& world) noexcept {
       follow_move(surface_position(world.bodies[b]), 0.0, motion);
     }
   }
+  Stopwatch watch(world.measures_costs);
   for (std::size_t s = 0; s < world.scenery_contacts.size(); ++s) {
     const StopContacts& contacts = workspace(world).stops[s];
     const bool asleep = world.bodies[at(world.scenery_contacts[s].body)].asleep;
     if (asleep && contacts.on_scenery.begun) continue;
     find_contacts_of(scene, s, world);
+    watch.add_to(world.costs.scenery[s].candidates);
   }
 }
 
@@ -201,6 +204,7 @@ void stop_at_scenery(const Scene& scene, std::size_t body, double dt, int steps,
   const Stopped stopped{scene.bodies[body].tissue, state, work.stopped[body].inverse_mass,
                         is_stepped_in_double(state) ? nullptr : packed, dt};
   bool touched = false;
+  Stopwatch watch(world.measures_costs);
   for (std::size_t s = 0; s < world.scenery_contacts.size(); ++s) {
     SceneryContact& pair = world.scenery_contacts[s];
     if (pair.body != static_cast<int>(body)) continue;
@@ -211,6 +215,7 @@ void stop_at_scenery(const Scene& scene, std::size_t body, double dt, int steps,
     impulse += stop_triangles(stopped, work.stops[s].on_body, scenery, friction, pair);
     pair.force += impulse / (dt * steps);
     touched = touched || pair.touching > 0;
+    watch.add_to(world.costs.scenery[s].contact);
   }
   if (!touched || state.skin.empty()) return;
   if (stopped.packed == nullptr)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import palpate
 from palpate.assessment.check_problem import Problem
 from palpate.layout.check import Checked
 from palpate.layout.document import Layout, Placed
@@ -12,7 +13,7 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from palpate_editor.layout_shapes import Key, PartShape
-from palpate_editor.views.budget import CONTACT, Budget, Part
+from palpate_editor.views.budget import BODY, CONTACT, TOOL, Budget, Part
 from palpate_editor.views.budget_bar import BudgetBar
 from palpate_editor.views.layout.pair_rows import PairRows
 from palpate_editor.views.layout.part_form import PartForm
@@ -131,8 +132,12 @@ class ScenePanel(QWidget):
                 row.show_check(tone, words, self.colours, fix, tr("Move apart"), place)
 
     def show_costs(self, checked: Checked, layout: Layout) -> None:
-        """What each pair takes of a tick while it is pressed together."""
+        """What each pair takes of a tick while it is pressed together; of stones and scenery beside
+        one organ, what every part takes while that is pressed."""
         scene = checked.scene
+        if scene is not None and checked.press is not None:
+            self.budget.show_budget(read_press(checked.press, layout, scene.rate))
+            return
         if scene is None or not checked.costs:
             self.budget.wait(tr("No two that may touch are near enough to be pressed together."))
             return
@@ -160,6 +165,30 @@ class ScenePanel(QWidget):
     def _part(self, fix: object) -> None:
         del fix
         self.apart_wanted.emit()
+
+
+def read_press(costs: palpate.SceneCosts, layout: Layout, rate: float) -> Budget:
+    """The parts of a scene without pairs: organs, stones, and what scenery stops."""
+    both = tr("{one} and {other}")
+    stopped = [
+        both.format(one=body, other=scenery.name)
+        for scenery in layout.scenery
+        for body in scenery.stops
+    ]
+    named = [
+        (BODY, body.name, cost) for body, cost in zip(layout.bodies, costs.bodies, strict=True)
+    ]
+    named += [(TOOL, tr("Tool"), cost) for cost in costs.instruments]
+    if layout.stones:
+        stones = ", ".join(stone.name for stone in layout.stones)
+        named.append((CONTACT, stones, costs.rigid))
+    named += [(CONTACT, name, cost) for name, cost in zip(stopped, costs.scenery, strict=True)]
+    parts = tuple(
+        Part(kind, index, name, cost.median, cost.p99)
+        for index, (kind, name, cost) in enumerate(named)
+    )
+    whole = costs.tick
+    return Budget(parts, whole.median, whole.p99, 1.0 / rate, alarm=bool(costs.alarm))
 
 
 def rank(problem: Problem) -> int:
