@@ -2790,7 +2790,7 @@ class InstrumentCost:
 class PairCost:
     """What an instrument cost with a body in one tick, [s]. Where a tool may touch several
     bodies at once it is balanced among all of them, and the time for that is shared out by
-    their candidates.
+    their candidates. Or two bodies, a body and scenery, or rigid bodies with all they touch.
     """
     def __init__(self) -> None:
         """Every field at its first value."""
@@ -2830,13 +2830,19 @@ class TickCosts:
     def body_pairs(self) -> tuple:
         """As Scene.body_pairs, a tuple."""
     @property
+    def scenery(self) -> tuple:
+        """Bodies that it stops, as World.scenery_contacts, a tuple."""
+    @property
+    def rigid(self) -> PairCost:
+        """All rigid bodies, a PairCost."""
+    @property
     def tick(self) -> float:
         """[s] the whole"""
     def __copy__(self) -> TickCosts:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> TickCosts:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -2887,13 +2893,21 @@ class SceneCosts:
     def body_pairs(self) -> tuple:
         """As Scene.body_pairs, a tuple."""
     @property
+    def scenery(self) -> tuple:
+        """Bodies that it stops, as World.scenery_contacts, a tuple."""
+    @property
+    def rigid(self) -> Percentiles:
+        """All rigid bodies with what they touch; zeros without any."""
+    @property
     def alarm(self) -> Alarm:
         """What ended the run early; false for nothing."""
     def __copy__(self) -> SceneCosts:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> SceneCosts:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object, object, object]: ...
+    def __getstate__(
+        self, /
+    ) -> tuple[object, object, object, object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -2924,6 +2938,7 @@ class SoftBody:
         contact_facets: bool = ...,
         tied_holds: bool = ...,
         may_fold: bool = ...,
+        weightless: bool = ...,
     ) -> None:
         """Copies its tissue.
 
@@ -2970,6 +2985,10 @@ class SoftBody:
     """Parts of its surface may touch others of it: build_scene adds a BodyPair of it with
     itself.
     """
+    weightless: bool
+    """Gravity does not act on it: its rest shape is the one that it has under its weight, as of
+    an organ that was scanned as it lies.
+    """
     @property
     def far_compliance(self) -> NDArray[np.float64]:
         """[m/N] per vertex of the surface, shape (n, 6): how much more the body gives way than
@@ -3008,6 +3027,7 @@ class SoftBody:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
         object,
         object,
         object,

@@ -64,6 +64,9 @@ void bind_body_fields(py::class_<SoftBody>& body) {
       .def_readwrite("may_fold", &SoftBody::may_fold,
                      "Parts of its surface may touch others of it: build_scene adds a BodyPair of "
                      "it with itself.")
+      .def_readwrite("weightless", &SoftBody::weightless,
+                     "Gravity does not act on it: its rest shape is the one that it has under its "
+                     "weight, as of an organ that was scanned as it lies.")
       .def_property(
           "far_compliance",
           [](const SoftBody& self) {
@@ -113,7 +116,7 @@ void bind_body(py::module_& m) {
       py::init([](const TissueModel* tissue, int substeps, int substeps_max, double force_error,
                   Kernel kernel, Integrator integrator, const std::string& simd_target,
                   double contact_modulus, int iterations, const Numbers& far_compliance,
-                  bool contact_facets, bool tied_holds, bool may_fold) {
+                  bool contact_facets, bool tied_holds, bool may_fold, bool weightless) {
         SoftBody made;
         if (tissue) made.tissue = *tissue;
         made.substeps = substeps;
@@ -128,6 +131,7 @@ void bind_body(py::module_& m) {
         made.contact_facets = contact_facets;
         made.tied_holds = tied_holds;
         made.may_fold = may_fold;
+        made.weightless = weightless;
         return made;
       }),
       py::kw_only(), "tissue"_a = py::none(), "substeps"_a = usual.substeps,
@@ -136,13 +140,13 @@ void bind_body(py::module_& m) {
       "simd_target"_a = usual.simd_target, "contact_modulus"_a = usual.contact_modulus,
       "iterations"_a = usual.iterations, "far_compliance"_a = py::tuple(),
       "contact_facets"_a = usual.contact_facets, "tied_holds"_a = usual.tied_holds,
-      "may_fold"_a = usual.may_fold, "Copies its tissue.");
+      "may_fold"_a = usual.may_fold, "weightless"_a = usual.weightless, "Copies its tissue.");
   bind_body_fields(body);
   def_value(body, &SoftBody::tissue, &SoftBody::substeps, &SoftBody::substeps_max,
             &SoftBody::force_error, &SoftBody::kernel, &SoftBody::integrator,
             &SoftBody::simd_target, &SoftBody::contact_modulus, &SoftBody::iterations,
             &SoftBody::far_compliance, &SoftBody::contact_facets, &SoftBody::tied_holds,
-            &SoftBody::may_fold);
+            &SoftBody::may_fold, &SoftBody::weightless);
   def_summary(body, &describe_body);
 }
 

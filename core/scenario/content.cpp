@@ -52,6 +52,7 @@ Json print_body(const SoftBody& body) {
     printed["integrator"] = std::string(integrator_name(body.integrator));
   }
   if (body.iterations > 0) printed["iterations"] = body.iterations;
+  if (body.weightless) printed["weightless"] = true;
   return printed;
 }
 
@@ -116,6 +117,14 @@ Integrator parse_integrator(Fields& fields) {
                 "an integrator that this program knows, such as symplectic_euler");
 }
 
+/// Gravity acts on a body where a file says nothing.
+bool parse_weightless(Fields& fields) {
+  if (!fields.has("weightless")) return false;
+  const Json& said = fields.any("weightless");
+  if (!said.is_boolean()) fields.refuse("weightless", describe(said), "true or false");
+  return said.get<bool>();
+}
+
 /// Of the near field; the hard law, where there is none.
 void parse_contact(Fields& fields, SoftBody& body) {
   if (!fields.has("contact")) return;
@@ -141,6 +150,7 @@ SoftBody parse_body(Fields fields) {
   if (fields.has("iterations")) {
     body.iterations = static_cast<int>(fields.whole("iterations", 1, kMostInt));
   }
+  body.weightless = parse_weightless(fields);
   body.spectrum_stiffness = fields.number("spectrum_stiffness");
   body.spectrum_damping = fields.number("spectrum_damping");
   fields.finish();

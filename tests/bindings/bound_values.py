@@ -124,7 +124,9 @@ MADE: dict[str, Callable[[], object]] = {
     "Event": lambda: palpate.Event(tick=3, kind=palpate.EventKind.alarm, value=0.5),
     "StateHash": lambda: palpate.StateHash(tick=3, hash=(2**64 - 1, 5)),
     "Scene": lambda: organ_scene(1),
-    "SoftBody": lambda: palpate.SoftBody(tissue=organ_scene(1).bodies[0].tissue, substeps=3),
+    "SoftBody": lambda: palpate.SoftBody(
+        tissue=organ_scene(1).bodies[0].tissue, substeps=3, weightless=True
+    ),  # fmt: skip
     "Instrument": lambda: palpate.Instrument(hold_stiffness=300.0),
     "World": lambda: palpate.World(organ_scene(1)),
     "SoftState": lambda: palpate.World(organ_scene(1)).bodies[0],

@@ -28,7 +28,10 @@ SHIPPED = Path(__file__).resolve().parents[2] / "meshes" / "scenes"
 SCHEMA = Path(palpate.__file__).parent / "schemas" / "layout.schema.json"
 LAYOUT = Layout(
     title="Kidney",
-    bodies=(PlacedBody("kidney", "kidney.palpate", "0" * 64), PlacedBody("bowel", "b.palpate", "")),
+    bodies=(
+        PlacedBody("kidney", "kidney.palpate", "0" * 64, weightless=True),
+        PlacedBody("bowel", "b.palpate", ""),
+    ),
     pairs=(TouchingPair("kidney", "bowel", thickness=4e-4),),
     stones=(PlacedStone("stone", "stone.obj", "1" * 64, scale=1e-3),),
     scenery=(PlacedScenery("tray", "tray.obj", "2" * 64, stops=("kidney",)),),
@@ -75,6 +78,7 @@ DAMAGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "now.extra": lambda data: data["now"].update(extra=1),
     "no gravity": lambda data: data["now"].pop("gravity"),
     "kidney.position": lambda data: data["now"]["bodies"][0].update(position=[0.0, 0.0]),
+    "weightless": lambda data: data["now"]["bodies"][0].update(weightless=9.8),
     "0.name": lambda data: data["now"]["bodies"][0].update(name=""),
     "stone.density": lambda data: data["now"]["stones"][0].update(density=0.0),
     "stone.scale": lambda data: data["now"]["stones"][0].update(scale=-1.0),
@@ -107,6 +111,8 @@ def test_a_layout_of_version_3_has_no_task(tmp_path):
     data["version"] = 3
     for layout in (data["now"], *data["before"], *data["undone"]):
         del layout["assessment"]
+        for body in layout["bodies"]:
+            del body["weightless"]
     path.write_text(json.dumps(data), encoding="utf-8")
 
     assert read_layout(path).now.assessment == ""
@@ -122,4 +128,19 @@ def test_a_task_that_is_no_assessment_is_refused(tmp_path):
     path.write_text(json.dumps(data), encoding="utf-8")
 
     with pytest.raises(Refusal, match="assessment: got no assessment, expected JSON that says"):
+        read_layout(path)
+
+
+def test_a_layout_of_version_4_has_no_weightless_bodies(tmp_path):
+    path, data = write(tmp_path)
+    data["version"] = 4
+    for layout in (data["now"], *data["before"], *data["undone"]):
+        for body in layout["bodies"]:
+            del body["weightless"]
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+    assert [body.weightless for body in read_layout(path).now.bodies] == [False, False]
+    data["now"]["bodies"][0]["weightless"] = True
+    path.write_text(json.dumps(data), encoding="utf-8")
+    with pytest.raises(Refusal, match="weightless: got one in a layout of version 4"):
         read_layout(path)

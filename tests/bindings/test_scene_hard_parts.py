@@ -136,6 +136,32 @@ def test_an_organ_that_gravity_pulls_far_from_where_it_was_scanned_is_told(layou
     (said,) = [each for each in heavy["problems"] if each["where"] == "organ"]
     assert said["severity"] == "warning" and "it was scanned as it lies" in said["message"]
     assert "organ" not in {each["where"] for each in usual["problems"]}
+    assert "place LAYOUT organ --weightless" in said["message"]
+    assert say(capsys, "place", layout, "organ", "--weightless")["bodies"][0]["weightless"]
+    light = say(capsys, "check", layout, "--gravity", "0,0,-2000")
+    assert "organ" not in {each["where"] for each in light["problems"]}
+
+
+def test_gravity_acts_on_a_stone_but_not_on_a_weightless_organ(layout, tmp_path, capsys):
+    out = tmp_path / "stone.palpate"
+    assert main(["scene", "place", str(layout), "stone", "--weightless"]) == 2
+    assert "expected it for a body: this keeps its shape" in capsys.readouterr().err
+    say(capsys, "place", layout, "organ", "--weightless")
+    say(capsys, "place", layout, "stone", "--by", "0,0,5")
+    say(capsys, "set", layout, "--gravity", "0,0,-9.81")
+    assert say(capsys, "publish", layout, "-o", out)["code"] == 0
+    assert main(["scene", "place", str(layout), "organ", "--at", "0,0,1"]) == 0
+    assert "; weightless" in capsys.readouterr().out
+
+    scene = palpate.scenario.read(out).scene
+    world = palpate.World(scene)
+    for _ in range(20):
+        palpate.tick(scene, palpate.HapticSample(position=(0.0, 0.0, 0.2)), 1e-3, world)
+
+    assert scene.bodies[0].weightless
+    moved = np.asarray(world.bodies[0].tissue.position) - scene.bodies[0].tissue.rest_position
+    assert np.abs(moved).max() < 1e-7  # of rounding
+    assert world.rigid[0].velocity[2] < -0.05
 
 
 def test_a_published_stone_lies_on_its_table_under_gravity(layout, tmp_path, capsys):
@@ -239,6 +265,8 @@ def test_a_layout_of_version_2_is_read(layout):
     made["version"] = 2
     for each in (made["now"], *made["before"], *made["undone"]):
         del each["fluid"], each["tools"], each["assessment"]
+        for body in each["bodies"]:
+            del body["weightless"]
     layout.write_text(json.dumps(made), encoding="utf-8")
 
     assert len(read_layout(layout).now.stones) == 1
@@ -250,12 +278,14 @@ def test_a_layout_of_before_there_were_stones_is_read(layout, capsys):
     for each in (made["now"], *made["before"], *made["undone"]):
         for name in ADDED[1]:
             del each[name]
+        for body in each["bodies"]:
+            del body["weightless"]
     layout.write_text(json.dumps(made), encoding="utf-8")
 
     assert read_layout(layout).now.stones == ()
     told = say(capsys, "place", layout, "organ", "--by", "0,0,1")
     assert (told["code"], told["stones"], told["scenery"]) == (0, [], [])
-    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 4
+    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 5
 
 
 @pytest.mark.parametrize(

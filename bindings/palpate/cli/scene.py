@@ -74,6 +74,11 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
     for name in ("add", "place"):
         add_placement(made[name])
         add_hard(made[name])
+        made[name].add_argument(
+            "--weightless", action=argparse.BooleanOptionalAction, default=None,
+            help="whether an organ's shape is the one under its weight, as it was scanned: gravity "
+            "does not act on it",
+        )  # fmt: skip
     add_more(made["place"])
     add_pair(made["pair"])
     add_tool(made["tool"])
@@ -230,7 +235,8 @@ def write_task(call: argparse.Namespace, history: History) -> Report:
 
 def describe_layout(layout: Layout) -> Report:
     pairs = [[pair.first, pair.second] for pair in layout.pairs]
-    bodies = [{**describe_placed(each), "may_fold": each.may_fold} for each in layout.bodies]
+    bodies = [{**describe_placed(each), "may_fold": each.may_fold, "weightless": each.weightless}
+              for each in layout.bodies]  # fmt: skip
     stones = [
         {
             **describe_placed(each),

@@ -43,6 +43,8 @@ UNITS = {"m": 1.0, "mm": 1e-3}
 OF_KIND = {"density": (PlacedStone,), "spheres": (PlacedStone,),
            "friction": (PlacedStone, PlacedScenery)}  # fmt: skip
 """Options that only some of what is placed have."""
+OF_BODIES = {"fold": "may_fold", "weightless": "weightless"}
+"""Options that only organs have, and what they say of them."""
 TOOL_RANGES = {"radius": (1e-5, 0.2), "length": (0.0, 0.05), "jaw_opening": (0.0, 1.57),
                "friction": (0.0, 2.0), "grip_force": (0.001, 100.0)}  # fmt: skip
 """Of an instrument, as of an assessment's."""
@@ -98,12 +100,15 @@ def place(part: Any, call: argparse.Namespace) -> Any:
     if call.turn is not None:
         turn = Rotation.from_euler("xyz", call.turn, degrees=True).as_rotvec()
         part = replace(part, rotation=tuple(map(float, turn)))
-    if getattr(call, "fold", None) is not None:
+    for option, name in OF_BODIES.items():
+        told = getattr(call, option, None)
+        if told is None:
+            continue
         if not isinstance(part, PlacedBody):
             raise LayoutError(
-                f"{part.name}: got --fold, expected it for a body: this keeps its shape"
+                f"{part.name}: got --{option}, expected it for a body: this keeps its shape"
             )
-        part = replace(part, may_fold=call.fold)
+        part = replace(part, **{name: told})
     return set_numbers(part, call)
 
 

@@ -19,7 +19,9 @@ def describe_scene(report: Report) -> str:
         density, viscosity = report["fluid"]
         lines.append(f"  its stones in a fluid of {density:g} kg/m³ and {viscosity:g} Pa s")
     for body in report["bodies"]:
-        lines.append(describe_place(body) + ("; may fold" if body["may_fold"] else ""))
+        said = "; may fold" if body["may_fold"] else ""
+        said += "; weightless" if body["weightless"] else ""
+        lines.append(describe_place(body) + said)
     for stone in report["stones"]:
         lines.append(describe_place(stone) + describe_hull(stone))
     for scenery in report["scenery"]:

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-FORMAT, VERSION = "palpate layout", 4
+FORMAT, VERSION = "palpate layout", 5
 MOST_STEPS = 100
 """Changes that can be undone; older ones are forgotten."""
 
@@ -39,6 +39,8 @@ class PlacedBody(Placed):
 
     may_fold: bool = False
     """Whether parts of its surface may touch others of it."""
+    weightless: bool = False
+    """Whether its shape is the one under its weight, as of a scan: gravity does not act on it."""
 
 
 @dataclass(frozen=True)

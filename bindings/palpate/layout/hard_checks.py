@@ -66,8 +66,9 @@ def find_unsettled(layout: Layout, scene: palpate.Scene, assembly: Assembly) -> 
         if body.moved > SAGGED and any(scene.gravity):
             said = (
                 f"{describe(body)}, where most, expected at most {1e3 * SAGGED:g} mm: it was "
-                "scanned as it lies, and here gravity pulls it down once more; hold it at more "
-                "places, or go without gravity"
+                "scanned as it lies, and here gravity pulls it down once more; `palpate scene "
+                f"place LAYOUT {organ.name} --weightless` takes its shape as the one under its "
+                "weight"
             )
             problems.append(Problem(WARNING, organ.name, said))
         elif body.moved > FAR:

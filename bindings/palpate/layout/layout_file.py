@@ -19,8 +19,10 @@ from palpate.scene.instrument_kinds import KINDS
 
 MOST_BYTES = 16 * 2**20
 ADDED = {1: ("stones", "scenery", "gravity", "fluid", "tools", "assessment"),
-         2: ("fluid", "tools", "assessment"), 3: ("assessment",)}  # fmt: skip
+         2: ("fluid", "tools", "assessment"), 3: ("assessment",), 4: ()}  # fmt: skip
 """What a layout of an older version had not."""
+OF_BODIES = {"weightless": False}
+"""What a body had not before version 5, and is as if it had."""
 
 
 def read_layout(path: Path) -> History:
@@ -52,7 +54,20 @@ def add_missing(path: Path, value: Any, version: int) -> Any:
     for name in ADDED[version]:
         if name in value:
             raise Refusal(path, name, f"some in a layout of version {version}", "none")
-    return {**value, **{name: "" if name == "assessment" else [] for name in ADDED[version]}}
+    whole = {**value, **{name: "" if name == "assessment" else [] for name in ADDED[version]}}
+    if isinstance(whole.get("bodies"), list):
+        whole["bodies"] = [add_to_body(path, body, version) for body in whole["bodies"]]
+    return whole
+
+
+def add_to_body(path: Path, body: Any, version: int) -> Any:
+    """Raises Refusal."""
+    if not isinstance(body, dict):
+        return body  # refused by the reader
+    for name in OF_BODIES:
+        if name in body:
+            raise Refusal(path, f"bodies.{name}", f"one in a layout of version {version}", "none")
+    return {**body, **OF_BODIES}
 
 
 AT_LEAST = dict.fromkeys(("friction", "thickness", "stiffness", "damping", "length"), 0.0)

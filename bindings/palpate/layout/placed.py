@@ -101,6 +101,7 @@ def build_body(organ: Organ, placed: PlacedBody, touches: bool) -> palpate.SoftB
         contact_facets=was.contact_facets,
         tied_holds=was.tied_holds,
         may_fold=placed.may_fold,
+        weightless=placed.weightless,
     )
 
 

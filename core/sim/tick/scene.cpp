@@ -383,7 +383,7 @@ Scene build_scene(Scene scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Place place("bodies", b, scene.bodies.size());
     SoftBody& body = scene.bodies[b];
-    choose_kernel(scene.gravity, place, body);
+    choose_kernel(find_gravity(scene, body), place, body);
     if (body.iterations == 0) body.iterations = usual_iterations(body.integrator);
     body.rest_areas = compute_triangle_areas(
         compute_surface(body.tissue, body.tissue.rest_position), body.tissue.triangles);

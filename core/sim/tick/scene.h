@@ -62,6 +62,9 @@ struct SoftBody {
 
   /// Parts of its surface may touch others of it: build_scene adds a BodyPair of it with itself
   bool may_fold = false;
+  /// Gravity does not act on it: its rest shape is the one that it has under its weight, as of an
+  /// organ that was scanned as it lies [bodies: weight]
+  bool weightless = false;
 
   // filled in by build_scene
   std::vector<double> rest_areas;            ///< [m²] per triangle

@@ -178,10 +178,10 @@ SoftState::SoftState(const Scene& scene, const SoftBody& body)
     : tissue(body.tissue),
       skin(body.tissue.skin.corners.size()),
       tree(compute_surface(body.tissue, body.tissue.rest_position), body.tissue.triangles),
-      guard(body.tissue, scene.gravity, tissue),
+      guard(body.tissue, find_gravity(scene, body), tissue),
       load(count_pushes(scene, body)),
       substeps(body.substeps) {
-  load.gravity = scene.gravity;
+  load.gravity = find_gravity(scene, body);
   move_skin(body.tissue.skin, tissue.position, skin);
   internals_ = Owned(BodyInternals(scene, body, *this));
 }

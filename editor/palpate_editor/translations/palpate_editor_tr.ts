@@ -97,6 +97,10 @@
         <translation>Parçaları birbirine dokunabilir</translation>
     </message>
     <message>
+        <source>Scanned as it lies: gravity leaves it as it is</source>
+        <translation>Durduğu gibi tarandı: yerçekimi onu değiştirmez</translation>
+    </message>
+    <message>
         <source>Place published organs, stones and scenery, and say which may touch.</source>
         <translation>Yayımlanmış organları, taşları ve sabit çevreyi yerleştirin; hangilerinin dokunabileceğini belirtin.</translation>
     </message>

@@ -96,6 +96,25 @@ TEST_CASE("a body keeps its integrator, and one of symplectic Euler names none")
       "content.scene.bodies[1].integrator: got \"leapfrog\", expected an integrator"));
 }
 
+TEST_CASE("a weightless body is kept as one, and a file of before has none") {
+  Scenario made = make_pair();
+  const std::string before = scenario::pack(made).content;
+  made.scene.bodies[1].weightless = true;
+  made.scene = build_scene(std::move(made.scene));
+  Container packed = scenario::pack(made);
+
+  const Scenario found = scenario::unpack(packed, "file");
+
+  CHECK_FALSE(contains(before, "weightless"));
+  CHECK_FALSE(found.scene.bodies[0].weightless);
+  CHECK(found.scene.bodies[1].weightless);
+  CHECK(felt_bits(found.scene) == felt_bits(made.scene));
+  const std::string said = R"("weightless":true)";
+  packed.content.replace(packed.content.find(said), said.size(), R"("weightless":9.8)");
+  CHECK(contains(refusal([&] { scenario::unpack(packed, "file"); }),
+                 "bodies[1].weightless: got 9.8, expected true or false"));
+}
+
 TEST_CASE("a body keeps its law of contact, and one of the hard law names none") {
   Scenario made = make_pair();
   made.scene.bodies[0].tissue.fixed = {0, 1, 2};

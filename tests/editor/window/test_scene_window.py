@@ -247,6 +247,8 @@ def test_of_one_organ_with_a_stone_every_part_is_measured(qtbot, scene, tmp_path
     stops = [f"left and {part.name}" for part in layout.scenery for _ in part.stops]
     assert names == ["left", "Tool", *(stone.name for stone in layout.stones), *stops]
     assert 0.0 < budget.parts[0].median <= budget.median
+
+
 def test_what_a_killed_editor_left_of_a_scene_is_offered_and_taken_up(
     qtbot, make_editor, scene, two, tmp_path
 ):

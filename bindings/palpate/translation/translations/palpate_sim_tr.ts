@@ -4108,12 +4108,16 @@
         <translation>bir ya da hiç</translation>
     </message>
     <message>
+        <source>one in a layout of version %1</source>
+        <translation>%1 sürümlü bir düzende bir tane</translation>
+    </message>
+    <message>
         <source>some in a layout of version %1</source>
         <translation>%1 sürümlü bir yerleşimde bir şey</translation>
     </message>
     <message>
-        <source>%1, where most, expected at most %2 mm: it was scanned as it lies, and here gravity pulls it down once more; hold it at more places, or go without gravity</source>
-        <translation>%1, en çok gittiği yerde; beklenen en çok %2 mm: durduğu gibi tarandı ve yerçekimi onu burada bir kez daha aşağı çekiyor; daha çok yerinden tutun ya da yerçekimi kullanmayın</translation>
+        <source>%1, where most, expected at most %2 mm: it was scanned as it lies, and here gravity pulls it down once more; `palpate scene place LAYOUT %3 --weightless` takes its shape as the one under its weight</source>
+        <translation>%1, en çok gittiği yerde; beklenen en çok %2 mm: durduğu gibi tarandı ve yerçekimi onu burada bir kez daha aşağı çekiyor; `palpate scene place LAYOUT %3 --weightless` biçimini kendi ağırlığı altındaki biçim sayar</translation>
     </message>
     <message>
         <source>%1, where most: gravity, or what it lies on, moves it</source>

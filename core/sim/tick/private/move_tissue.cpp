@@ -216,7 +216,7 @@ Alarm end(ReferenceKernel& kernel, const Moved& moved, double work) noexcept {
   SoftState& state = moved.state;
   if (kernel.unsolved || internals(state).stiff.unsolved) return report_unsolved(moved);
   state.stretch = measure_stretch(tissue, state.tissue.position);
-  return check(tissue, moved.scene.gravity, state.tissue, work, state.guard, state.substeps);
+  return check(tissue, state.load.gravity, state.tissue, work, state.guard, state.substeps);
 }
 
 void begin(PackedKernel& kernel, const Moved& moved) noexcept {
@@ -259,7 +259,7 @@ Alarm end_in_double(PackedKernel& kernel, const Moved& moved, double work) noexc
   const Alarm alarm =
       internals(state).stiff.unsolved
           ? report_unsolved(moved)
-          : check(tissue, moved.scene.gravity, state.tissue, work, state.guard, state.substeps);
+          : check(tissue, state.load.gravity, state.tissue, work, state.guard, state.substeps);
   take_over(*kernel.model, tissue, state.tissue, kernel.state);
   kernel.lag.behind = true;
   catch_up(moved.body, state);

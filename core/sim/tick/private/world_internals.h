@@ -24,6 +24,11 @@ namespace palpate {
 
 class StiffPart;
 
+/// [m/s²] that acts on a body: the scene's, or none [bodies: weight].
+inline Vec3 find_gravity(const Scene& scene, const SoftBody& body) noexcept {
+  return body.weightless ? Vec3::Zero() : scene.gravity;
+}
+
 /// What the tools may touch in a tick: particles, and vertices of a skin that rides on them. Only
 /// these are brought up to date between the substeps.
 struct NearList {

@@ -68,6 +68,10 @@ class PartForm(QWidget):
         self.folds.setObjectName("folds")
         self.folds.clicked.connect(self._fold)
         inner.addWidget(self.folds)
+        self.weightless = QCheckBox(tr("Scanned as it lies: gravity leaves it as it is"), self)
+        self.weightless.setObjectName("weightless")
+        self.weightless.clicked.connect(self._weigh)
+        inner.addWidget(self.weightless)
         self.numbers = NumberGrid(self)
         self.numbers.add("density", tr("Density"), "kg/m³")
         self.numbers.add("spheres", tr("Spheres of its hull"), "")
@@ -132,6 +136,8 @@ class PartForm(QWidget):
         is_body = isinstance(part, PlacedBody)
         self.folds.setVisible(is_body)
         self.folds.setChecked(bool(getattr(part, "may_fold", False)))
+        self.weightless.setVisible(is_body)
+        self.weightless.setChecked(bool(getattr(part, "weightless", False)))
         self.numbers.setVisible(not is_body)
         for name in self.numbers.boxes:
             self.numbers.show_value(name, getattr(part, name, None))
@@ -186,6 +192,11 @@ class PartForm(QWidget):
     def _fold(self, on: bool) -> None:
         if self.part is not None:
             self.wanted.emit(("place", self.part.name, "--fold" if on else "--no-fold"))
+
+    def _weigh(self, on: bool) -> None:
+        if self.part is not None:
+            words = "--weightless" if on else "--no-weightless"
+            self.wanted.emit(("place", self.part.name, words))
 
     def _number(self, name: str, value: float) -> None:
         if self.part is not None:
