@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "palpate/sim/collision/private/nearest.h"
 #include "palpate/sim/collision/private/surface_contacts.h"
@@ -48,8 +49,14 @@ NearPoint find_on(const Vec3& p, int triangle, std::span<const Triangle> triangl
 int find_nearest(const Vec3& p, std::span<const int> list, std::span<const Triangle> triangles,
                  std::span<const Vec3> x_t, NearPoint& nearest) noexcept {
   int best = -1;
+  NearPoint point;
   for (const int t : list) {
-    const NearPoint point = find_on(p, t, triangles, x_t);
+    const auto& [a, b, c] = triangles[static_cast<std::size_t>(t)];
+    const double most = best < 0 ? std::numeric_limits<double>::infinity() : nearest.square;
+    if (!find_within(p, x_t[static_cast<std::size_t>(a)], x_t[static_cast<std::size_t>(b)],
+                     x_t[static_cast<std::size_t>(c)], most, point)) {
+      continue;
+    }
     if (best >= 0) {
       const double slack = kTie * nearest.square;
       if (point.square > nearest.square + slack) continue;

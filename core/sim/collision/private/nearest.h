@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "palpate/sim/tree/queries.h"
 
@@ -39,22 +40,33 @@ inline void find_on_sides(const Vec3& ap, const Vec3& ab, const Vec3& ac,
   near.weights = weights[best];
 }
 
-/// Of slivers by find_closest_on_triangle(), which is right for any.
-inline NearPoint find_near_point(const Vec3& p, const Vec3& a, const Vec3& b,
-                                 const Vec3& c) noexcept {
+/// The nearest point of a triangle to p, unless that is farther than the square `most` [m²] by more
+/// than rounding: of barycentric weights outside of a triangle, p is beyond that side's line in the
+/// plane by weight times height of the triangle over it, and nothing of it is nearer. Of slivers by
+/// find_closest_on_triangle(), which is right for any.
+inline bool find_within(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, double most,
+                        NearPoint& near) noexcept {
+  // [-], [m²] far above what rounding does to the bound, far below what a tie is
+  constexpr double kRelative = 1.0 + 1e-6, kAbsolute = 1e-24;
   constexpr double kHealthy = 1e-6;  // of a square of sines
   const Vec3 ab = b - a, ac = c - a, ap = p - a, cross = ab.cross(ac);
   const double bb = ab.squaredNorm(), cc = ac.squaredNorm(), square = cross.squaredNorm();
-  NearPoint near;
+  near = {};
   if (!(square > kHealthy * bb * cc)) {
     const SurfacePoint found = find_closest_on_triangle(p, a, b, c);
     near.weights = found.weights;
     near.offset = p - found.point;
     near.square = near.offset.squaredNorm();
-    return near;
+    return true;
   }
   const double bc = ab.dot(ac), pb = ap.dot(ab), pc = ap.dot(ac), inverse = 1.0 / square;
   const double v = (cc * pb - bc * pc) * inverse, w = (bb * pc - bc * pb) * inverse;
+  const double over = ap.dot(cross), u = 1.0 - v - w;
+  const double left = (most * kRelative + kAbsolute - over * over * inverse) * inverse;
+  if (left < 0.0 || (w < 0.0 && w * w > left * bb) || (v < 0.0 && v * v > left * cc) ||
+      (u < 0.0 && u * u > left * (bb + cc - 2.0 * bc))) {
+    return false;
+  }
   near.normal = cross / std::sqrt(square);
   near.height = ap.dot(near.normal);
   if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) {
@@ -64,6 +76,14 @@ inline NearPoint find_near_point(const Vec3& p, const Vec3& a, const Vec3& b,
   } else {
     find_on_sides(ap, ab, ac, near);
   }
+  return true;
+}
+
+/// Likewise, however far.
+inline NearPoint find_near_point(const Vec3& p, const Vec3& a, const Vec3& b,
+                                 const Vec3& c) noexcept {
+  NearPoint near;
+  find_within(p, a, b, c, std::numeric_limits<double>::infinity(), near);
   return near;
 }
 
