@@ -23,9 +23,9 @@ RISE = np.radians(12.0)
 """Of the tract, from the calyx to its mouth."""
 STONE_SIZE = 0.8
 """[-] Of the stone that ships, which is 10.4 mm long; then 8.4 x 7.3 x 6.1 mm and 0.3 g."""
-STONE_AT, STONE_TURN = "13.063,-17.840,-3.200", "15.875,3.658,-2.875"
-"""[mm] and [degree] As it comes to rest where it is let fall from the middle of the calyx, 0.9 mm
-higher: the kidney sags by some of that."""
+STONE_AT, STONE_TURN = "12.984,-17.714,-3.865", "17.165,7.087,-6.455"
+"""[mm] and [degree] As it comes to rest where it is let fall from 0.7 mm higher in the
+weightless kidney."""
 TRAY, TRAY_HALF, TRAY_DEPTH, TRAY_WALL = (0.085, -0.017, -0.025), 0.02, 0.006, 0.002
 """[m] The middle of its floor, half a side, the height of its rim over the floor, its thickness."""
 PORT = 0.08
@@ -85,7 +85,7 @@ def main() -> int:
     steps = [
         ["new", "-o", layout, *words, "--gravity=0,0,-9.81", "--fluid", "1000,0.001"],
         ["add", layout, PUBLISHED / "collecting_system.palpate", "--name", "kidney",
-         f"--turn={angles}"],
+         f"--turn={angles}", "--weightless"],
         ["add", layout, stone, "--as", "stone", "--name", "stone",
          "--at", STONE_AT, "--turn", STONE_TURN],
         ["add", layout, tray, "--as", "scenery", "--name", "tray"],

@@ -117,7 +117,7 @@ class Driver:
 
 
 def find_lying(scene: palpate.Scene) -> np.ndarray:
-    """[m] Where the stone lies once the kidney has sagged."""
+    """[m] Where the stone comes to lie."""
     world = palpate.World(scene)
     parked = [
         palpate.HapticSample(position=BEFORE_MOUTH + 0.1),
