@@ -49,6 +49,21 @@ def drag(window: LayoutWindow, start: QPoint, end: QPoint, release: bool = True)
         QTest.mouseRelease(view, LEFT, NO_KEYS, end)
 
 
+def test_a_tick_has_an_organ_keep_the_shape_that_it_was_scanned_in(qtbot, scene):
+    scene.choose("left")
+    box = find(scene, QCheckBox, "weightless")
+    assert box.isVisibleTo(scene) and not box.isChecked()
+
+    QTest.mouseClick(box, LEFT, NO_KEYS, QPoint(8, box.height() // 2))
+    wait(qtbot, scene)
+
+    assert part(scene, "left").weightless
+    assert "--weightless" in log(scene)
+    assert find(scene, QCheckBox, "weightless").isChecked()
+    scene.choose("stone")
+    assert not find(scene, QCheckBox, "weightless").isVisibleTo(scene)
+
+
 def test_a_layout_opens_in_a_window_that_lists_and_draws_what_is_in_it(scene):
     heads = [scene.tree.topLevelItem(i) for i in range(3)]
     names = [[head.child(i).text(0) for i in range(head.childCount())] for head in heads]
