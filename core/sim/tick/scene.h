@@ -63,7 +63,7 @@ struct SoftBody {
   /// Parts of its surface may touch others of it: build_scene adds a BodyPair of it with itself
   bool may_fold = false;
   /// Gravity does not act on it: its rest shape is the one that it has under its weight, as of an
-  /// organ that was scanned as it lies [bodies: weight]
+  /// organ that was scanned as it lies [motion: weight]
   bool weightless = false;
 
   // filled in by build_scene

@@ -24,7 +24,7 @@ namespace palpate {
 
 class StiffPart;
 
-/// [m/s²] that acts on a body: the scene's, or none [bodies: weight].
+/// [m/s²] that acts on a body: the scene's, or none [motion: weight].
 inline Vec3 find_gravity(const Scene& scene, const SoftBody& body) noexcept {
   return body.weightless ? Vec3::Zero() : scene.gravity;
 }
