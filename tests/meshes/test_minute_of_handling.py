@@ -106,7 +106,7 @@ def handle_stone(cycles: int, seconds: float) -> tuple[list[bool], str]:
     lain = lies = None
     while True:
         if not driver.goals:
-            at = np.asarray(world.rigid[0].position)
+            at = np.array(world.rigid[0].position)
             lain = at if lain is None else lain
             assert np.linalg.norm(at - lain) < SOFTLY, (world.tick_count, at, lain)
             if len(held) == cycles or world.tick_count * TICK > seconds:

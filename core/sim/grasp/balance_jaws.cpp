@@ -111,6 +111,19 @@ Step shorten(const JawSurroundings& around, const JawPlace& place, const JawTouc
   return {part * step.move, part * step.turn};
 }
 
+/// Jaws that may turn no farther leave the tool where it balances with them as they are then: the
+/// way that belongs to a turn which they do not make would end anywhere.
+Step solve(const Eigen::Matrix4d& jacobian, const Eigen::Vector4d& residual,
+           const JawPlace& place) noexcept {
+  const Eigen::Vector4d whole = jacobian.ldlt().solve(residual);
+  const double angle = place.jaws.angle(), wanted = angle + whole[3];
+  const double turn = std::clamp(wanted, place.least, place.most) - angle;
+  if (place.least <= wanted && wanted <= place.most) return {whole.head<3>(), turn};
+  return {jacobian.topLeftCorner<3, 3>().ldlt().solve(residual.head<3>() -
+                                                      turn * jacobian.topRightCorner<3, 1>()),
+          turn};
+}
+
 /// One Newton step of
 ///
 ///     K (h - p) + sum f_t n_t + anchors(p, a) = 0
@@ -143,18 +156,14 @@ Step find_step(const JawSurroundings& around, const AnchorSprings& anchors, cons
   const double least = 1e-3 * around.grip * around.arm / kGripRise;
   jacobian(3, 3) = std::max(drive.slope + touch.angular + layer.slope + anchors.angular + drag,
                             std::max(least, 1e-12));
-  Eigen::Vector4d step = jacobian.ldlt().solve(residual);
-  if (is_at_limit(around.coupling, to_hand)) {
-    const double stiffness = around.coupling.stiffness;
-    residual.head<3>() +=
-        stiffness * to_hand - limit(stiffness * to_hand, around.coupling.force_max);
-    jacobian.topLeftCorner<3, 3>() =
-        stiffness * Mat3::Identity() + touch.stiffness + anchors.stiffness;
-    const Eigen::Vector4d unlimited = jacobian.ldlt().solve(residual);
-    if (comes_within_limit(around.coupling, to_hand, unlimited.head<3>())) step = unlimited;
-  }
-  const double angle = place.jaws.angle();
-  return {step.head<3>(), std::clamp(angle + step[3], place.least, place.most) - angle};
+  const Step step = solve(jacobian, residual, place);
+  if (!is_at_limit(around.coupling, to_hand)) return step;
+  const double stiffness = around.coupling.stiffness;
+  residual.head<3>() += stiffness * to_hand - limit(stiffness * to_hand, around.coupling.force_max);
+  jacobian.topLeftCorner<3, 3>() =
+      stiffness * Mat3::Identity() + touch.stiffness + anchors.stiffness;
+  const Step unlimited = solve(jacobian, residual, place);
+  return comes_within_limit(around.coupling, to_hand, unlimited.move) ? unlimited : step;
 }
 
 /// Of open surfaces each jaw may be on another side.
