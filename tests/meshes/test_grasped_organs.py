@@ -35,6 +35,11 @@ HELD, AWAY = slice(1800, 2100), slice(2750, 2800)
 LET_GO, STEP = slice(2149, 2205), 0.2
 """Ticks in which jaws let go before they open, and the largest step of the force from one to the
 next over what was held [-]. Jaws that open in a dent push, which is no step of a load."""
+OPENED, FLOOR = slice(2149, 2400), 0.0105
+"""Ticks from the one before jaws let go to where they are drawn out, and a step [N] that jaws which
+open in a dent may always have."""
+CLOSES, PUSHED = slice(520, 900), 0.5
+"""Ticks in which jaws close, and the largest step of the force [N] from one to the next."""
 
 
 def take(name: str) -> palpate.Scene:
@@ -152,6 +157,25 @@ def test_an_organ_is_grasped_at_its_top_with_the_same_bits_each_time(name):
 
     assert (again == felt).all()
     assert palpate.compute_hash(other) == palpate.compute_hash(world)
+
+
+@pytest.mark.landing
+def test_jaws_that_close_on_a_liver_are_not_thrown_about():
+    """They stepped by 4.3 N, out of balance by as much, where one jaw touched alone."""
+    felt, _, _ = grasp(take("liver"), 4)
+    check(felt)
+    steps = np.linalg.norm(np.diff(felt[:, CLOSES], axis=1), axis=2).max(axis=1)
+    assert (steps < PUSHED).all(), steps
+
+
+@pytest.mark.landing
+def test_jaws_that_open_in_a_crease_do_not_kick():
+    """Once the hand had opened as far as it would, they stepped by 0.45 N."""
+    felt, _, _ = grasp(take("kidney"), 2)
+    check(felt)
+    load = np.linalg.norm(felt[:, HELD], axis=2).mean(axis=1)
+    steps = np.linalg.norm(np.diff(felt[:, OPENED], axis=1), axis=2).max(axis=1)
+    assert (steps < np.maximum(STEP * load, FLOOR)).all(), (steps, load)
 
 
 @pytest.mark.verify

@@ -239,12 +239,13 @@ void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
 }
 
 /// Jaws that open in a dent push at what is beside them: by that a hand is to be moved as evenly,
-/// until they are out of it.
-void follow_change(InstrumentState& state) noexcept {
+/// until they are out of it, or open as far as the hand would and in balance.
+void follow_change(double goal, InstrumentState& state) noexcept {
   ToolState& tool = state.tool;
   const bool lets_go = state.release_ticks > 0;
   if (!lets_go) tool.felt_change = std::max(tool.felt_change, kOpeningChange);
-  if (!lets_go && !tool.touching && tool.residual.norm() < kNoLoad) tool.felt_change = 0.0;
+  const bool pushes = tool.touching && goal > tool.jaw_wanted;
+  if (!lets_go && !pushes && tool.residual.norm() < kNoLoad) tool.felt_change = 0.0;
   tool.felt_before = state.last_force;
 }
 
@@ -253,6 +254,11 @@ void begin_opening(InstrumentState& state) noexcept {
   if (state.tool.felt_change > 0.0) return;
   state.tool.felt_before = state.last_force;
   state.tool.felt_change = std::max(kMostChange * state.last_force.norm(), kOpeningChange);
+}
+
+/// Whether jaws that a hand has opened as far as it would are still on their way there, in a dent.
+bool is_opening(double goal, const InstrumentState& state) noexcept {
+  return !state.attach_pressed && state.tool.felt_change > 0.0 && goal >= state.tool.jaw_wanted;
 }
 
 /// Tissue that could not bear more makes the jaws yield, for good until the hand opens; where even
@@ -272,7 +278,7 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
   InstrumentState& state = world.instruments[instrument];
   ToolState& jaws = state.tool;
   double goal = find_goal(*tool.jaws, sample);
-  if (jaws.felt_change > 0.0) follow_change(state);
+  if (jaws.felt_change > 0.0) follow_change(goal, state);
   if (!jaws.placed) {
     jaws.jaw_angle = jaws.jaw_wanted = goal;
     return;
@@ -293,7 +299,7 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
     }
     state.attach_pressed = false;
     jaws.jaw_wanted = std::max(jaws.jaw_wanted, std::min(goal, jaws.jaw_angle));
-  } else {
+  } else if (!is_opening(goal, state)) {
     const bool closes_again =
         goal < jaws.jaw_wanted && jaws.grip_limit == kOpening * tool.jaws->grip;
     if (state.release_ticks > 0 || closes_again) jaws.grip_limit = tool.jaws->grip;
