@@ -244,7 +244,7 @@ void follow_change(double goal, InstrumentState& state) noexcept {
   ToolState& tool = state.tool;
   const bool lets_go = state.release_ticks > 0;
   if (!lets_go) tool.felt_change = std::max(tool.felt_change, kOpeningChange);
-  const bool pushes = tool.touching && goal > tool.jaw_wanted;
+  const bool pushes = tool.touching && goal > tool.jaw_angle + kGripRise;
   if (!lets_go && !pushes && tool.residual.norm() < kNoLoad) tool.felt_change = 0.0;
   tool.felt_before = state.last_force;
 }
