@@ -13,6 +13,7 @@ import palpate_meshes
 import pytest
 from palpate import scenario
 from palpate.assessment import mover
+from palpate.assessment.hands import make_hands
 from palpate.assessment.publish import read_assessment, with_assessment
 from palpate.assessment.skill import CLUMSY
 from palpate.cli.main import main
@@ -80,6 +81,40 @@ def test_a_simulated_hand_that_slips_lets_go_of_what_it_holds(strict):
 
     assert all(held[:300])
     assert not any(held[320:590])
+
+
+@pytest.mark.landing
+def test_instruments_that_jab_into_the_tract_do_not_ask_for_ever_more_substeps(strict):
+    """Whole shafts lie along its wall, and asked for 32, 4 ms a tick; the same is felt with 8."""
+    drawn = scenario.draw_task(strict, "", 0)
+    scene = scenario.draw_scene(strict, drawn)
+    world, dt = palpate.World(scene), 1.0 / scene.rate
+    hands = make_hands("jab", scene, drawn.task, drawn.seed)
+    commands, felt, most = [palpate.HapticCommand() for _ in hands], [], 0
+
+    for tick in range(1300):
+        samples = []
+        for hand, command in zip(hands, commands, strict=True):
+            hand.see(world)
+            hand.move(tick * dt, dt, np.asarray(command.force), palpate.TaskState())
+            samples.append(
+                palpate.HapticSample(
+                    time=tick * dt,
+                    position=hand.position,
+                    orientation=hand.orientation,
+                    buttons=hand.buttons,
+                )
+            )
+        commands = palpate.tick(scene, samples, dt, world)
+        felt.append([np.asarray(command.force) for command in commands])
+        most = max(most, world.bodies[0].substeps)
+
+    held = np.array(felt)[1200:]
+    assert not world.alarm
+    assert most == 8
+    # against the wall with 0.05 to 0.3 N each, and still
+    assert (np.linalg.norm(held.mean(axis=0), axis=1) > 0.05).all()
+    assert np.ptp(held, axis=0).max() < 0.03
 
 
 @pytest.mark.landing

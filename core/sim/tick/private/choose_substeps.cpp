@@ -31,9 +31,10 @@ constexpr double kLongestMove = 0.3;
 /// longer asked for one is taken back each time, so slowly that no contact is pumped up.
 constexpr double kEased = 0.02;
 
-/// Substeps that jaws on a solid under a skin may ask for at most. The particles under a skin are
-/// heavy, none flies past a jaw in a substep as those of a membrane do, for which there may be
-/// more; and what a jaw squeezes is as stiff as its bound says for its own small motions alone.
+/// Substeps that instruments on a solid under a skin may ask for at most. The particles under a skin
+/// are heavy, none flies past an instrument in a substep as those of a membrane do, for which there
+/// may be more; and what jaws squeeze, or a shaft lies along, is as stiff as its bound says for its
+/// own small motions alone.
 constexpr double kMostOnSkin = 8.0;
 
 /// A tissue that is this much stiffer gets other substeps: 0.9² of stable_step() has room for it.
@@ -222,9 +223,8 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
                        count_approach_substeps(body, world)});
   }
   double most = soft.substeps_max;
-  const bool jaws_alone =
-      (near || is_rigid_near(body, world)) && near_jaws && !is_touched(body, world);
-  if (jaws_alone && !soft.tissue.skin.corners.empty()) {
+  const bool alone = (near || is_rigid_near(body, world)) && !is_touched(body, world);
+  if (alone && !soft.tissue.skin.corners.empty()) {
     most =
         std::clamp(std::max(kMostOnSkin, 4.0 / 3.0 * soft.substeps), double(soft.substeps), most);
   }
