@@ -151,6 +151,25 @@ def test_only_an_older_file_of_the_same_kind_is_replaced_without_force(files):
             require_replaceable(call)
 
 
+@pytest.mark.parametrize(
+    ("name", "kind", "sentence"),
+    [
+        ("a.palpate", file_kind.ORGAN, "a name of a published scenario, expected one of an organ, "
+         "which ends in .organ"),
+        ("a.ORGAN", file_kind.PUBLISHED, "a name of an organ"),
+        ("a.prec", file_kind.PICTURE, "a name of a record"),
+        ("a.png", file_kind.OBJ, "a name of a PNG picture, expected one of an OBJ mesh$"),
+        ("a.svg", file_kind.CHART, "a name of an SVG picture"),
+    ],
+)  # fmt: skip
+def test_a_name_of_another_kind_of_file_is_refused(tmp_path, name, kind, sentence):
+    call = argparse.Namespace(out=tmp_path / name, force=True)
+    setattr(call, DECLARED, [("--out", "out", lambda c: [(c.out, kind)])])
+
+    with pytest.raises(Refusal, match=sentence):
+        require_replaceable(call)
+
+
 def test_a_new_name_an_empty_file_and_no_name_at_all_are_free(tmp_path):
     (tmp_path / "empty").touch()
     for path in (tmp_path / "new", tmp_path / "empty", None):

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from palpate.files.file_kind import NO_FILE, NOTHING, find_kind
+from palpate.files.file_kind import ENDINGS, NO_FILE, NOTHING, find_kind
 from palpate.files.refusal import Refusal
 
 Files = list[tuple[Path, str]]
@@ -74,17 +74,29 @@ def choose_kind(path: Path, writes: str | Mapping[str, str]) -> str:
 
 
 def require_replaceable(call: argparse.Namespace) -> None:
-    """Raises Refusal where an output would take the place of what is no older output of its kind.
+    """Raises Refusal where an output would take the place of what is no older output of its kind,
+    or has the ending of another kind's names.
 
-    --force replaces another kind of file, but never what is no file at all.
+    --force replaces another kind of file, but never what is no file at all, and names none wrongly.
     """
     for option, name, list_files in getattr(call, DECLARED, ()):
         if getattr(call, name) is None:
             continue
         for path, kind in list_files(call):
+            require_ending(option, path, kind)
             found = find_kind(path)
             if found == NO_FILE or (found not in (NOTHING, kind) and not call.force):
                 expected = f"{kind}, or a new name"
                 if found != NO_FILE:
                     expected += "; --force replaces it"
                 raise Refusal(path, option, found, expected)
+
+
+def require_ending(option: str, path: Path, kind: str) -> None:
+    """Raises Refusal for a name that ends as those of another kind of file do."""
+    named = ENDINGS.get(path.suffix.lower(), kind)
+    if kind == NOTHING or named == kind:
+        return
+    own = [ending for ending, other in ENDINGS.items() if other == kind]
+    expected = f"one of {kind}" + (f", which ends in {own[0]}" if own else "")
+    raise Refusal(path, option, f"a name of {named}", expected)

@@ -30,6 +30,14 @@ REPLAY = "the report of a replay"
 SUMMARY = "the summary of a demo"
 ASSESSMENT = "an assessment"
 ATTEMPTS = "a table of attempts"
+ENDINGS = {
+    ".organ": ORGAN,
+    ".palpate": PUBLISHED,
+    ".prec": RECORD,
+    ".png": PICTURE,
+    ".svg": SVG,
+}
+"""Of names, each of one kind of file: nothing else is written under it."""
 NOTHING = "nothing"
 """No file, or an empty one: there is nothing to lose."""
 OTHER = "another file"
