@@ -31,10 +31,10 @@ constexpr double kLongestMove = 0.3;
 /// longer asked for one is taken back each time, so slowly that no contact is pumped up.
 constexpr double kEased = 0.02;
 
-/// Substeps that instruments on a solid under a skin may ask for at most. The particles under a skin
-/// are heavy, none flies past an instrument in a substep as those of a membrane do, for which there
-/// may be more; and what jaws squeeze, or a shaft lies along, is as stiff as its bound says for its
-/// own small motions alone.
+/// Substeps that instruments on a solid under a skin may ask for at most. The particles under a
+/// skin are heavy, none flies past an instrument in a substep as those of a membrane do, for which
+/// there may be more; and what jaws squeeze, or a shaft lies along, is as stiff as its bound says
+/// for its own small motions alone.
 constexpr double kMostOnSkin = 8.0;
 
 /// A tissue that is this much stiffer gets other substeps: 0.9² of stable_step() has room for it.
