@@ -16,8 +16,8 @@ constexpr double kNearWindow = 2e-4;
 /// [m] A vertex so much beyond the thickness is taken for one that may touch.
 constexpr double kTouchWindow = 2e-5;
 
-/// [-] Two triangles of a common edge have the same nearest point, but for rounding.
-constexpr double kTie = 1e-9;
+/// [-] Of the thickness: what goes no farther in a substep goes slowly.
+constexpr double kSlow = 0.3;
 
 /// [m] How deep a vertex may have come through and is still pushed back. Deeper in itself a body
 /// has its other side.
@@ -58,7 +58,7 @@ int find_nearest(const Vec3& p, std::span<const int> list, std::span<const Trian
       continue;
     }
     if (best >= 0) {
-      const double slack = kTie * nearest.square;
+      const double slack = tree_kernels::kTie * nearest.square;
       if (point.square > nearest.square + slack) continue;
       const bool tied = point.square >= nearest.square - slack;
       if (tied && !(std::abs(point.height) > std::abs(nearest.height))) continue;
@@ -69,15 +69,56 @@ int find_nearest(const Vec3& p, std::span<const int> list, std::span<const Trian
   return best;
 }
 
-void keep_near(std::size_t v, const Vec3& p, double nearest, double window,
-               std::span<const Triangle> triangles, std::span<const Vec3> x_t,
+/// How far some triangles are from a point, as find_near_point() tells.
+struct Listed {
+  std::array<double, SurfaceContacts::kMostListed> square;  ///< [m²]
+  std::array<double, SurfaceContacts::kMostListed> height;  ///< [m]
+};
+
+/// Four triangles at a time.
+void measure_listed(const Vec3& p, std::span<const int> list, std::span<const Triangle> triangles,
+                    std::span<const Vec3> x_t, Listed& listed) noexcept {
+  tree_kernels::FourLists lists;
+  tree_kernels::FourNearest found;
+  lists.points.fill(&p);
+  for (std::size_t first = 0; first < list.size(); first += 4) {
+    const std::size_t count = std::min<std::size_t>(4, list.size() - first);
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      lists.triangles[lane] = list.subspan(first + std::min(lane, count - 1), 1);
+    }
+    const unsigned healthy = tree_kernels::best().find_nearest_listed(triangles, x_t, lists, found);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      listed.square[first + lane] = found.square[lane];
+      listed.height[first + lane] = found.height[lane];
+      if ((healthy >> lane & 1U) != 0) continue;
+      const NearPoint point = find_on(p, list[first + lane], triangles, x_t);
+      listed.square[first + lane] = point.square;
+      listed.height[first + lane] = point.height;
+    }
+  }
+}
+
+/// The place of the one that find_nearest() would choose; the list has one at least.
+std::size_t choose_nearest(const Listed& listed, std::size_t count) noexcept {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < count; ++k) {
+    const double nearest = listed.square[best], slack = tree_kernels::kTie * nearest;
+    if (listed.square[k] > nearest + slack) continue;
+    const bool tied = listed.square[k] >= nearest - slack;
+    if (tied && !(std::abs(listed.height[k]) > std::abs(listed.height[best]))) continue;
+    best = k;
+  }
+  return best;
+}
+
+void keep_near(std::size_t v, const Listed& listed, double nearest, double window,
                SurfaceContacts& contacts) noexcept {
   std::array<double, SurfaceContacts::kMostNear> distances;
   std::size_t count = 0;
   for (std::size_t k = 0; k < contacts.listed_count[v]; ++k) {
-    const int t = contacts.listed[v][k];
-    const double distance = std::sqrt(find_on(p, t, triangles, x_t).square);
+    const double distance = std::sqrt(listed.square[k]);
     if (distance > nearest + window) continue;
+    const int t = contacts.listed[v][k];
     if (count < distances.size()) {
       distances[count] = distance;
       contacts.near[v][count++] = t;
@@ -143,10 +184,11 @@ void find_near_of(std::size_t v, const Vec3& p, std::span<const Triangle> triang
                   SurfaceContacts& contacts) noexcept {
   const double window = std::max(kNearWindow, 2.0 * contacts.ahead);
   const auto list = std::span<const int>(contacts.listed[v]).first(contacts.listed_count[v]);
-  NearPoint point;
+  Listed listed;
+  measure_listed(p, list, triangles, x_t, listed);
+  const int nearest = list[choose_nearest(listed, list.size())];
+  const NearPoint point = find_on(p, nearest, triangles, x_t);
   contacts.near_count[v] = 0;
-  const int nearest = find_nearest(p, list, triangles, x_t, point);
-  if (nearest < 0) return;
   note_side(v, point, triangles[static_cast<std::size_t>(nearest)], before, contacts);
   const double distance = std::sqrt(point.square);
   const double spare = distance - contacts.barrier.thickness;
@@ -155,40 +197,27 @@ void find_near_of(std::size_t v, const Vec3& p, std::span<const Triangle> triang
     return;
   }
   contacts.near_until[v] = contacts.moved + 0.5 * window;
-  keep_near(v, p, distance, window, triangles, x_t, contacts);
+  keep_near(v, listed, distance, window, contacts);
 }
 
-}  // namespace
-
-void find_near(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
-               std::span<const Vec3> x_t, SurfaceContacts& contacts,
-               const Before& before) noexcept {
-  contacts.active_count = 0;
-  contacts.follows_sides = !before.x_v.empty();
-  const bool follows = contacts.follows_sides && !knows_side(contacts) && !contacts.same;
-  for (std::size_t v = 0; v < x_v.size(); ++v) {
-    if (contacts.listed_count[v] == 0) {
-      contacts.near_count[v] = 0;
-      if (!knows_side(contacts)) contacts.side[v] = 0;
-      continue;
-    }
-    if (contacts.moved + contacts.ahead > contacts.near_until[v]) {
-      find_near_of(v, x_v[v], triangles, x_t, before, contacts);
-    } else if (follows && contacts.near_count[v] > 0) {
-      follow_side(v, x_v[v], triangles, x_t, before, contacts);
-    }
-    if (contacts.near_count[v] == 0) continue;
-    contacts.active[static_cast<std::size_t>(contacts.active_count++)] = static_cast<int>(v);
-  }
-}
-
-VertexContact find_contact(const SurfaceContacts& contacts, int vertex, const Vec3& x,
-                           std::span<const Triangle> triangles, std::span<const Vec3> x_t,
-                           double reach) noexcept {
+std::span<const int> list_near(const SurfaceContacts& contacts, int vertex) noexcept {
   const auto v = static_cast<std::size_t>(vertex);
-  const auto list = std::span<const int>(contacts.near[v]).first(contacts.near_count[v]);
-  NearPoint point;
-  const int nearest = find_nearest(x, list, triangles, x_t, point);
+  return std::span<const int>(contacts.near[v]).first(contacts.near_count[v]);
+}
+
+NearPoint read_lane(const tree_kernels::FourNearest& found, std::size_t k) noexcept {
+  const auto read = [&](const double(&from)[3][4]) noexcept {
+    return Vec3(from[0][k], from[1][k], from[2][k]);
+  };
+  return {read(found.weights), read(found.offset), found.square[k], found.height[k],
+          read(found.normal)};
+}
+
+/// The contact of a vertex with the nearest triangle and the point that is nearest there.
+VertexContact choose_contact(const SurfaceContacts& contacts, int vertex, int nearest,
+                             const NearPoint& point, std::span<const Triangle> triangles,
+                             double reach) noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
   if (nearest < 0 || contacts.side[v] == 0) return {};
   if (is_over_border(contacts, triangles[static_cast<std::size_t>(nearest)], point.weights)) {
     return {};
@@ -205,6 +234,95 @@ VertexContact find_contact(const SurfaceContacts& contacts, int vertex, const Ve
   VertexContact contact{nearest, point.weights, side * point.normal, gap};
   if (distance > kOnSurface) contact.normal = point.offset / (through ? -distance : distance);
   return contact;
+}
+
+/// Finds the contacts of the active vertices at the first `count` of these places.
+void find_four(const std::array<std::size_t, 4>& places, std::size_t count,
+               std::span<const Vec3> x_v, std::span<const Triangle> triangles,
+               std::span<const Vec3> x_t, SurfaceContacts& contacts) noexcept {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  constexpr double kRounding = 1e-9;  // [m]
+  const auto vertex_at = [&](std::size_t lane) noexcept {
+    return contacts.active[places[std::min(lane, count - 1)]];
+  };
+  tree_kernels::FourLists lists;
+  tree_kernels::FourNearest found;
+  for (std::size_t lane = 0; lane < places.size(); ++lane) {
+    lists.points[lane] = &x_v[static_cast<std::size_t>(vertex_at(lane))];
+    lists.triangles[lane] = list_near(contacts, vertex_at(lane));
+  }
+  const unsigned healthy = tree_kernels::best().find_nearest_listed(triangles, x_t, lists, found);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    VertexContact& contact = contacts.contact[places[lane]];
+    contact =
+        (healthy >> lane & 1U) == 0
+            ? find_contact(contacts, vertex_at(lane), *lists.points[lane], triangles, x_t, kAny)
+            : choose_contact(contacts, vertex_at(lane), static_cast<int>(found.triangle[lane]),
+                             read_lane(found, lane), triangles, kAny);
+    const double spare = contact.gap - contacts.barrier.thickness - kRounding;
+    contacts.far_until[places[lane]] =
+        contact.triangle < 0 ? contacts.travelled : contacts.travelled + spare;
+  }
+}
+
+}  // namespace
+
+void find_near(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
+               std::span<const Vec3> x_t, SurfaceContacts& contacts,
+               const Before& before) noexcept {
+  contacts.active_count = 0;
+  contacts.travelled = 0.0;
+  contacts.follows_sides = !before.x_v.empty();
+  const bool follows = contacts.follows_sides && !knows_side(contacts) && !contacts.same;
+  for (std::size_t v = 0; v < x_v.size(); ++v) {
+    if (contacts.listed_count[v] == 0) {
+      contacts.near_count[v] = 0;
+      if (!knows_side(contacts)) contacts.side[v] = 0;
+      continue;
+    }
+    if (contacts.moved + contacts.ahead > contacts.near_until[v]) {
+      find_near_of(v, x_v[v], triangles, x_t, before, contacts);
+    } else if (follows && contacts.near_count[v] > 0) {
+      follow_side(v, x_v[v], triangles, x_t, before, contacts);
+    }
+    if (contacts.near_count[v] == 0) continue;
+    const auto at = static_cast<std::size_t>(contacts.active_count++);
+    contacts.active[at] = static_cast<int>(v);
+    contacts.far_until[at] = 0.0;
+  }
+}
+
+VertexContact find_contact(const SurfaceContacts& contacts, int vertex, const Vec3& x,
+                           std::span<const Triangle> triangles, std::span<const Vec3> x_t,
+                           double reach) noexcept {
+  NearPoint point;
+  const int nearest = find_nearest(x, list_near(contacts, vertex), triangles, x_t, point);
+  return choose_contact(contacts, vertex, nearest, point, triangles, reach);
+}
+
+bool go_slowly(const SurfaceContacts& contacts, double travel) noexcept {
+  const double thickness = contacts.barrier.thickness;
+  return travel < kSlow * thickness && contacts.ahead < (1.0 - kClosestPart) * thickness;
+}
+
+void find_contacts(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
+                   std::span<const Vec3> x_t, double travel, SurfaceContacts& contacts) noexcept {
+  const std::span<const int> active = contacts.active_in_use();
+  const bool slowly = go_slowly(contacts, travel);
+  if (slowly) contacts.travelled += travel;
+  std::array<std::size_t, 4> lanes;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    if (slowly && contacts.far_until[k] > contacts.travelled) {
+      contacts.contact[k].triangle = -1;
+      continue;
+    }
+    lanes[count++] = k;
+    if (count < lanes.size()) continue;
+    find_four(lanes, count, x_v, triangles, x_t, contacts);
+    count = 0;
+  }
+  if (count > 0) find_four(lanes, count, x_v, triangles, x_t, contacts);
 }
 
 }  // namespace palpate

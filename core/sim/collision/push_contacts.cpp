@@ -60,16 +60,6 @@ double bound_slope(const SurfaceContacts& contacts, double gap, double area) noe
   return barrier.stiffness * area / (part * part * shorter * shorter);
 }
 
-/// The contact of a vertex with the nearest of its triangles, however far; without a triangle where
-/// it has none.
-VertexContact find_nearest(const SurfaceContacts& contacts, int vertex,
-                           const TouchingSurface& vertices,
-                           const TouchingSurface& triangles) noexcept {
-  return find_contact(contacts, vertex, vertices.x[static_cast<std::size_t>(vertex)],
-                      triangles.tissue.triangles, triangles.x,
-                      std::numeric_limits<double>::infinity());
-}
-
 /// [m/s] That is too much of a closing speed, in a step of dt [s].
 double find_excess(const Barrier& barrier, const VertexContact& contact, const Moving& moving,
                    double dt) noexcept {
@@ -77,17 +67,25 @@ double find_excess(const Barrier& barrier, const VertexContact& contact, const M
   return -moving.speed - room / dt;
 }
 
-/// What an impulse takes of one contact changes others: they are gone over again until
-/// what is left would not close a gap by more than a hundredth of the thickness.
+/// [m] How far two surfaces have gone, together at most.
+double find_travel(const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
+  return vertices.touch.went + triangles.touch.went;
+}
+
+/// What an impulse takes of one contact changes others: they are gone over again, where surfaces
+/// have not moved meanwhile, until what is left would not close a gap by more than a hundredth of
+/// the thickness.
 void stop_what_is_left(const SurfaceContacts& contacts, double dt, const TouchingSurface& vertices,
                        const TouchingSurface& triangles, ContactSum& sum) noexcept {
+  const std::span<const int> active = contacts.active_in_use();
   constexpr int kPasses = 8;
   const double enough = 0.01 * contacts.barrier.thickness / dt;
   bool all = false;
   for (int pass = 0; pass < kPasses && !all; ++pass) {
     all = true;
-    for (const int vertex : contacts.active_in_use()) {
-      const VertexContact contact = find_nearest(contacts, vertex, vertices, triangles);
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      const int vertex = active[k];
+      const VertexContact& contact = contacts.contact[k];
       if (contact.triangle < 0) continue;
       const Moving moving = measure(contact, vertex, vertices, triangles);
       const double excess = find_excess(contacts.barrier, contact, moving, dt);
@@ -107,18 +105,22 @@ void stop_what_is_left(const SurfaceContacts& contacts, double dt, const Touchin
 /// mass m of the gap. An impulse takes what would close the gap in this step to under a tenth of
 /// the thickness, from wherever it is, mass-weighted, one contact after the other, so that none
 /// takes twice what another has taken.
-ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
-                         const TouchingSurface& vertices,
-                         const TouchingSurface& triangles) noexcept {
+ContactSum push_contacts(double dt, const TouchingSurface& vertices,
+                         const TouchingSurface& triangles, SurfaceContacts& contacts) noexcept {
   const Barrier& barrier = contacts.barrier;
+  const std::span<const int> active = contacts.active_in_use();
+  const double travel = find_travel(vertices, triangles);
+  find_contacts(vertices.x, triangles.tissue.triangles, triangles.x, travel, contacts);
+  const bool slowly = go_slowly(contacts, travel);
   ContactSum sum;
   bool stopped = false;
-  for (const int vertex : contacts.active_in_use()) {
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    const int vertex = active[k];
     const auto v = static_cast<std::size_t>(vertex);
-    const VertexContact contact = find_nearest(contacts, vertex, vertices, triangles);
-    if (contact.triangle < 0) continue;
-    const Moving moving = measure(contact, vertex, vertices, triangles);
+    const VertexContact& contact = contacts.contact[k];
     const bool within = contact.gap < barrier.thickness;
+    if (contact.triangle < 0 || (slowly && !within)) continue;
+    const Moving moving = measure(contact, vertex, vertices, triangles);
     const double area = contacts.area[v];
     double force = area * compute_pressure(barrier, contact.gap);
     if (moving.inverse_mass > 0.0) {
@@ -143,13 +145,17 @@ ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
 
 /// The gap of a contact has the gradient n on the vertex and -w n on the corners, so that in
 /// M⁻¹K the row of the vertex sums to 2 k/m, and that of a corner to 2 k w/m.
-ContactNeed accumulate_stiffness(const SurfaceContacts& contacts, double dt,
-                                 const TouchingSurface& vertices,
-                                 const TouchingSurface& triangles) noexcept {
+ContactNeed accumulate_stiffness(double dt, const TouchingSurface& vertices,
+                                 const TouchingSurface& triangles,
+                                 SurfaceContacts& contacts) noexcept {
+  const std::span<const int> active = contacts.active_in_use();
+  find_contacts(vertices.x, triangles.tissue.triangles, triangles.x,
+                std::numeric_limits<double>::infinity(), contacts);
   ContactNeed need;
-  for (const int vertex : contacts.active_in_use()) {
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    const int vertex = active[k];
     const auto v = static_cast<std::size_t>(vertex);
-    const VertexContact contact = find_nearest(contacts, vertex, vertices, triangles);
+    const VertexContact& contact = contacts.contact[k];
     if (contact.triangle < 0) continue;
     const Moving moving = measure(contact, vertex, vertices, triangles);
     const double closes = std::max(0.0, -moving.speed);

@@ -147,6 +147,8 @@ SurfaceContacts::SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh&
   near_count.assign(count, 0);
   side.assign(count, closed && !same ? 1 : 0);
   active.assign(count, 0);
+  contact.assign(count, {});
+  far_until.assign(count, 0.0);
 }
 
 /// A vertex is looked at once in a round, and its list is found again where half of its margin is

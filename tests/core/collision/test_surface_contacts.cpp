@@ -162,7 +162,7 @@ TEST_CASE("S4: two surfaces push each other with opposite forces and moments") {
     Pressed pressed(into);
     for (Vec3& v : pressed.upper.velocity) v = {0.02, 0.01, -0.1};
     const ContactSum sum =
-        push_contacts(pressed.contacts, 1e-4, pressed.upper.view(), pressed.lower.view());
+        push_contacts(1e-4, pressed.upper.view(), pressed.lower.view(), pressed.contacts);
     REQUIRE(sum.touching > 0);
     CHECK(sum.force.z() < 0.0);
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
@@ -182,7 +182,7 @@ TEST_CASE("S4: two surfaces push each other with opposite forces and moments") {
 
 TEST_CASE("what contacts push with is minus the gradient of the barrier's energy") {
   Pressed pressed(1e-4, {4e-4, 5e6, 0.0});
-  push_contacts(pressed.contacts, 1e-4, pressed.upper.view(), pressed.lower.view());
+  push_contacts(1e-4, pressed.upper.view(), pressed.lower.view(), pressed.contacts);
   constexpr double kStep = 1e-9;  // [m]
   int checked = 0;
   for (Moved* surface : {&pressed.upper, &pressed.lower}) {
@@ -208,7 +208,7 @@ TEST_CASE("nearer than a tenth of the thickness approach is stopped, and nothing
   Pressed pressed(0.0, {4e-4, 5e6, 0.0});
   for (Vec3& v : pressed.upper.velocity) v = {0.0, 0.0, -0.5};
   const double dt = 1e-4;
-  push_contacts(pressed.contacts, dt, pressed.upper.view(), pressed.lower.view());
+  push_contacts(dt, pressed.upper.view(), pressed.lower.view(), pressed.contacts);
   int stopped = 0;
   for (const int vertex : pressed.contacts.active_in_use()) {
     const auto v = static_cast<std::size_t>(vertex);
@@ -233,7 +233,7 @@ TEST_CASE("what would pass the floor within a step is slowed down to reach it, n
     Pressed pressed(-2e-4, barrier);
     constexpr double kStep = 4e-5;
     for (Vec3& v : pressed.upper.velocity) v = {0.0, 0.0, -speed};
-    push_contacts(pressed.contacts, kStep, pressed.upper.view(), pressed.lower.view());
+    push_contacts(kStep, pressed.upper.view(), pressed.lower.view(), pressed.contacts);
     double least = 1.0;
     for (const int vertex : pressed.contacts.active_in_use()) {
       const auto v = static_cast<std::size_t>(vertex);
@@ -261,7 +261,7 @@ TEST_CASE("a surface has no contact with what is next to it, and has with what f
     surface.tree.refit(surface.x);
     renew_lists(surface.x, surface.tree, surface.x, 0.05, contacts);
     find_near(surface.x, ball.triangles, surface.x, contacts);
-    return push_contacts(contacts, 1e-4, surface.view(), surface.view());
+    return push_contacts(1e-4, surface.view(), surface.view(), contacts);
   };
   // bent into a ring until its ends are 0.3 mm apart
   constexpr double kRadius = 0.03 / (std::numbers::pi - 0.0157);

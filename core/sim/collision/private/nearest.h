@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/sim/tree/private/box.h"
+#include "palpate/sim/tree/private/tree_kernels.h"
 #include "palpate/sim/tree/queries.h"
 
 namespace palpate {
@@ -22,18 +24,18 @@ struct NearPoint {
 inline void find_on_sides(const Vec3& ap, const Vec3& ab, const Vec3& ac,
                           NearPoint& near) noexcept {
   const auto along = [](const Vec3& from, const Vec3& side) noexcept {
-    return std::clamp(from.dot(side) / side.squaredNorm(), 0.0, 1.0);
+    return std::clamp(dot_in_order(from, side) / square(side), 0.0, 1.0);
   };
   const Vec3 bc = ac - ab, bp = ap - ab;
   const double t = along(ap, ab), u = along(ap, ac), v = along(bp, bc);
   const Vec3 offsets[] = {ap - t * ab, ap - u * ac, bp - v * bc};
   const Vec3 weights[] = {{1.0 - t, t, 0.0}, {1.0 - u, 0.0, u}, {0.0, 1.0 - v, v}};
-  near.square = offsets[0].squaredNorm();
+  near.square = square(offsets[0]);
   std::size_t best = 0;
   for (std::size_t side = 1; side < 3; ++side) {
-    const double square = offsets[side].squaredNorm();
-    if (!(square < near.square)) continue;
-    near.square = square;
+    const double found = square(offsets[side]);
+    if (!(found < near.square)) continue;
+    near.square = found;
     best = side;
   }
   near.offset = offsets[best];
@@ -48,27 +50,27 @@ inline bool find_within(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3&
                         NearPoint& near) noexcept {
   // [-], [m²] far above what rounding does to the bound, far below what a tie is
   constexpr double kRelative = 1.0 + 1e-6, kAbsolute = 1e-24;
-  constexpr double kHealthy = 1e-6;  // of a square of sines
   const Vec3 ab = b - a, ac = c - a, ap = p - a, cross = ab.cross(ac);
-  const double bb = ab.squaredNorm(), cc = ac.squaredNorm(), square = cross.squaredNorm();
+  const double bb = square(ab), cc = square(ac), crossed = square(cross);
   near = {};
-  if (!(square > kHealthy * bb * cc)) {
+  if (!(crossed > tree_kernels::kHealthySquare * bb * cc)) {
     const SurfacePoint found = find_closest_on_triangle(p, a, b, c);
     near.weights = found.weights;
     near.offset = p - found.point;
-    near.square = near.offset.squaredNorm();
+    near.square = square(near.offset);
     return true;
   }
-  const double bc = ab.dot(ac), pb = ap.dot(ab), pc = ap.dot(ac), inverse = 1.0 / square;
+  const double bc = dot_in_order(ab, ac), pb = dot_in_order(ap, ab), pc = dot_in_order(ap, ac);
+  const double inverse = 1.0 / crossed;
   const double v = (cc * pb - bc * pc) * inverse, w = (bb * pc - bc * pb) * inverse;
-  const double over = ap.dot(cross), u = 1.0 - v - w;
+  const double over = dot_in_order(ap, cross), u = 1.0 - v - w;
   const double left = (most * kRelative + kAbsolute - over * over * inverse) * inverse;
   if (left < 0.0 || (w < 0.0 && w * w > left * bb) || (v < 0.0 && v * v > left * cc) ||
       (u < 0.0 && u * u > left * (bb + cc - 2.0 * bc))) {
     return false;
   }
-  near.normal = cross / std::sqrt(square);
-  near.height = ap.dot(near.normal);
+  near.normal = cross / std::sqrt(crossed);
+  near.height = dot_in_order(ap, near.normal);
   if (v >= 0.0 && w >= 0.0 && v + w <= 1.0) {
     near.weights = {1.0 - v - w, v, w};
     near.offset = near.height * near.normal;

@@ -16,6 +16,14 @@ namespace palpate {
 /// [m] Lists go so much beyond the thickness, and hold until the surfaces may have moved by it.
 inline constexpr double kListMargin = 1e-3;
 
+/// Where a vertex is over the nearest triangle.
+struct VertexContact {
+  int triangle = -1;            ///< none: nothing is within reach
+  Vec3 weights = Vec3::Zero();  ///< barycentric
+  Vec3 normal = Vec3::Zero();   ///< unit, towards where the vertex is to be
+  double gap = 0.0;             ///< [m] along it, below 0 where the vertex has come through
+};
+
 /// Vertices of one surface that may touch the triangles of another, or of the same.
 ///
 /// A vertex has two lists: of all triangles that it may come to touch before it is looked at again,
@@ -61,6 +69,11 @@ struct SurfaceContacts {
   std::vector<int> active;        ///< vertices with near triangles, ascending; capacity
   int active_count = 0;
 
+  // (find_contacts)
+  double travelled = 0.0;  ///< [m] since find_near the surfaces have gone no farther, both together
+  std::vector<VertexContact> contact;  ///< of the active ones, as they are; none of those far off
+  std::vector<double> far_until;  ///< [m] of `travelled`, per active one: farther off till then
+
   std::span<const int> active_in_use() const noexcept {
     return std::span(active).first(static_cast<std::size_t>(active_count));
   }
@@ -102,14 +115,6 @@ void find_near(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
                std::span<const Vec3> x_t, SurfaceContacts& contacts,
                const Before& before = {}) noexcept;
 
-/// Where a vertex is over the nearest triangle.
-struct VertexContact {
-  int triangle = -1;            ///< none: nothing is within reach
-  Vec3 weights = Vec3::Zero();  ///< barycentric
-  Vec3 normal = Vec3::Zero();   ///< unit, towards where the vertex is to be
-  double gap = 0.0;             ///< [m] along it, below 0 where the vertex has come through
-};
-
 /// The contact of a vertex at `x` [m], from its near triangles; none beyond `reach` [m].
 VertexContact find_contact(const SurfaceContacts& contacts, int vertex, const Vec3& x,
                            std::span<const Triangle> triangles, std::span<const Vec3> x_t,
@@ -123,10 +128,21 @@ struct ContactSum {
   Vec3 force = Vec3::Zero();  ///< [N] on the triangles
 };
 
+/// How far two surfaces have gone together at most since their contacts were looked at last [m]:
+/// whether that is so little, and was to be so little in this tick, that what is not within the
+/// thickness cannot come to the floor within a substep.
+bool go_slowly(const SurfaceContacts& contacts, double travel) noexcept;
+
+/// Finds the contacts of all active vertices with the nearest of their triangles into
+/// SurfaceContacts::contact: those of find_contact(), to the bit, some at a time. The surfaces have
+/// gone by `travel` [m] since it was called last, or since find_near; where they go slowly, what
+/// cannot have come within the thickness has none.
+void find_contacts(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
+                   std::span<const Vec3> x_t, double travel, SurfaceContacts& contacts) noexcept;
+
 /// Adds the forces of all contacts to both surfaces, for a substep of dt [s] from here.
-ContactSum push_contacts(const SurfaceContacts& contacts, double dt,
-                         const TouchingSurface& vertices,
-                         const TouchingSurface& triangles) noexcept;
+ContactSum push_contacts(double dt, const TouchingSurface& vertices,
+                         const TouchingSurface& triangles, SurfaceContacts& contacts) noexcept;
 
 /// What contacts ask of the steps of a tick of dt [s].
 struct ContactNeed {
@@ -135,8 +151,8 @@ struct ContactNeed {
 
 /// Adds to the rows [1/s²] of both surfaces how stiff contacts make each vertex over its mass; the
 /// largest of a surface bounds what they add to the eigenvalues of its M⁻¹K.
-ContactNeed accumulate_stiffness(const SurfaceContacts& contacts, double dt,
-                                 const TouchingSurface& vertices,
-                                 const TouchingSurface& triangles) noexcept;
+ContactNeed accumulate_stiffness(double dt, const TouchingSurface& vertices,
+                                 const TouchingSurface& triangles,
+                                 SurfaceContacts& contacts) noexcept;
 
 }  // namespace palpate

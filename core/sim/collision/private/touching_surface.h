@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,7 +36,9 @@ struct SurfaceTouch : SurfaceMotion {
   std::vector<std::array<int, 2>> corner;  ///< per vertex: a triangle, and which of its corners
 
   bool is_touched = false;  ///< something may touch it in this tick
-  double behind = 0.0;      ///< [m] by which it may have left the boxes of its tree
+  /// [m] no vertex has gone farther since contacts were looked at (move_tissue, touch_bodies)
+  double went = std::numeric_limits<double>::infinity();
+  double behind = 0.0;     ///< [m] by which it may have left the boxes of its tree
   double stiffness = 0.0;  ///< [1/s²] that contacts add to the largest eigenvalue of M⁻¹K at most
   double approach = 0.0;     ///< [-] of a barrier's thickness, by which a gap closes in a tick
   std::vector<double> row;   ///< [1/s²] per vertex: what contacts make of the row of M⁻¹K

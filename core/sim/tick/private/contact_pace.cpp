@@ -127,18 +127,20 @@ void find_need(const Scene& scene, double dt, World& world) noexcept {
   TickBuffers& work = workspace(world);
   Stopwatch watch(world.measures_costs);
   for (std::size_t p = 0; p < work.contacts.size(); ++p) {
-    const BodyContacts& contacts = work.contacts[p];
+    BodyContacts& contacts = work.contacts[p];
     const auto& bodies = contacts.bodies;
     for (std::size_t k = 0; k < contacts.side_count; ++k) {
-      const SurfaceContacts& side = contacts.sides[k];
+      SurfaceContacts& side = contacts.sides[k];
       if (side.active_count == 0) continue;
-      const ContactNeed need = accumulate_stiffness(side, dt, view_surface(scene, bodies[k], world),
-                                                    view_surface(scene, bodies[1 - k], world));
+      const ContactNeed need =
+          accumulate_stiffness(dt, view_surface(scene, bodies[k], world),
+                               view_surface(scene, bodies[1 - k], world), side);
       ask_for_approach(need.approach * dt, contacts, world);
     }
     watch.add_to(world.costs.body_pairs[p].candidates);
   }
   for (SurfaceTouch& touch : work.touched) {
+    touch.went = 0.0;
     if (!touch.is_touched) continue;
     touch.stiffness = *std::ranges::max_element(touch.row);
     std::ranges::fill(touch.row, 0.0);

@@ -111,12 +111,17 @@ void list_near(const Moved& moved, NearList& near) noexcept {
   }
 }
 
-/// Brings particles up to date where a tool may touch.
-void unpack_near(const TissueModel& tissue, const PackedKernel& kernel, SoftState& state) noexcept {
+/// Brings particles up to date where a tool may touch; how far one of them has gone at most [m].
+double unpack_near(const TissueModel& tissue, const PackedKernel& kernel,
+                   SoftState& state) noexcept {
+  double most = 0.0;
   for (const int particle : kernel.near.particles_in_use()) {
-    unpack_particle(*kernel.model, tissue, kernel.state, static_cast<std::size_t>(particle),
-                    state.tissue);
+    const auto i = static_cast<std::size_t>(particle);
+    const Vec3 before = state.tissue.position[i];
+    unpack_particle(*kernel.model, tissue, kernel.state, i, state.tissue);
+    most = std::max(most, (state.tissue.position[i] - before).squaredNorm());
   }
+  return std::sqrt(most);
 }
 
 /// And the skin on them.
@@ -205,6 +210,7 @@ double step_in_double(const SoftBody& body, double dt, ReferenceKernel* kernel,
 }
 
 double step_kernel(ReferenceKernel& kernel, const Moved& moved, double dt, bool) noexcept {
+  forget_way(moved.index, moved.world);
   if (kernel.unsolved) return 0.0;
   return step_in_double(moved.body, dt, &kernel, moved.state);
 }
@@ -235,9 +241,12 @@ void begin(PackedKernel& kernel, const Moved& moved) noexcept {
 double step_kernel(PackedKernel& kernel, const Moved& moved, double dt, bool last) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   SoftState& state = moved.state;
-  if (is_stepped_in_double(state)) return step_in_double(moved.body, dt, nullptr, state);
+  if (is_stepped_in_double(state)) {
+    forget_way(moved.index, moved.world);
+    return step_in_double(moved.body, dt, nullptr, state);
+  }
   step(*kernel.model, state.load, dt, kernel.state, last ? &kernel.measure : nullptr);
-  unpack_near(tissue, kernel, state);
+  add_way(moved.index, kernel.skin_gain * unpack_near(tissue, kernel, state), moved.world);
   move_near_skin(tissue, kernel.near, state);
   return dt * sum_over_pushes(state.load.pushes(), tissue, state.tissue.velocity);
 }

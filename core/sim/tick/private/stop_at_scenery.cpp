@@ -9,6 +9,7 @@
 #include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/safeguard.h"
+#include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tree/private/box_distance.h"
 
 namespace palpate {
@@ -217,6 +218,7 @@ void stop_at_scenery(const Scene& scene, std::size_t body, double dt, int steps,
     touched = touched || pair.touching > 0;
     watch.add_to(world.costs.scenery[s].contact);
   }
+  if (touched) forget_way(body, world);
   if (!touched || state.skin.empty()) return;
   if (stopped.packed == nullptr)
     return move_skin(stopped.tissue.skin, state.tissue.position, state.skin);

@@ -148,6 +148,14 @@ void meet_bodies(double dt, World& world) noexcept {
   }
 }
 
+void add_way(std::size_t body, double way, World& world) noexcept {
+  if (!world.body_pairs.empty()) workspace(world).touched[body].went += way;
+}
+
+void forget_way(std::size_t body, World& world) noexcept {
+  add_way(body, std::numeric_limits<double>::infinity(), world);
+}
+
 bool is_touched(std::size_t body, World& world) noexcept {
   return !world.body_pairs.empty() && workspace(world).touched[body].is_touched;
 }
@@ -178,8 +186,8 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
     for (std::size_t k = 0; k < contacts.side_count; ++k) {
       if (contacts.sides[k].active_count == 0) continue;
       const ContactSum sum =
-          push_contacts(contacts.sides[k], dt, view_surface(scene, bodies[k], world),
-                        view_surface(scene, bodies[1 - k], world));
+          push_contacts(dt, view_surface(scene, bodies[k], world),
+                        view_surface(scene, bodies[1 - k], world), contacts.sides[k]);
       const double towards_second = contacts.side_count == 1 ? 0.0 : k == 0 ? 1.0 : -1.0;
       note(sum, towards_second, pair);
       energy += sum.energy;
@@ -187,12 +195,17 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
     if (s == 0) contacts.stored_energy = energy;
     watch.add_to(world.costs.body_pairs[p].contact);
   }
-  for (SurfaceTouch& touch : work.touched) write_load(touch);
+  for (SurfaceTouch& touch : work.touched) {
+    write_load(touch);
+    touch.went = 0.0;
+  }
   work.pace.since += dt;
 }
 
 void end_touching(int finest, World& world) noexcept {
   for (BodyPairState& pair : world.body_pairs) pair.force /= finest;
+  // what is done again does not begin where this ends
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) forget_way(b, world);
   end_pace(world);
 }
 

@@ -30,6 +30,12 @@ inline TouchingSurface view_surface(const Scene& scene, std::size_t body, World&
           workspace(world).touched[body]};
 }
 
+/// Notes that no vertex of a body has gone farther than by `way` [m] in a step.
+void add_way(std::size_t body, double way, World& world) noexcept;
+
+/// Likewise of one that may have gone anywhere.
+void forget_way(std::size_t body, World& world) noexcept;
+
 /// Whether a surface of another body, or of its own, may touch this one in this tick.
 bool is_touched(std::size_t body, World& world) noexcept;
 

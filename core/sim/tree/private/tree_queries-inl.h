@@ -9,6 +9,7 @@
 
 #include "palpate/sim/tree/private/tree_boxes-inl.h"
 #include "palpate/sim/tree/private/tree_distances-inl.h"
+#include "palpate/sim/tree/private/tree_listed-inl.h"
 #include "palpate/sim/tree/private/tree_refit-inl.h"
 #include "palpate/sim/tree/private/tree_walk-inl.h"
 
@@ -196,7 +197,8 @@ inline Kernels list_kernels(const char* target) {
           &find_closest,
           &collect_in_sphere,
           &collect_near_segment,
-          &list_near_segment};
+          &list_near_segment,
+          &find_nearest_listed};
 }
 
 }  // namespace palpate::tree_kernels::PALPATE_TREE_TARGET

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <array>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "palpate/sim/collision/private/nearest.h"
+#include "palpate/sim/collision/private/surface_contacts.h"
+#include "palpate/sim/model/build_surface.h"
+#include "scenes/scenes.h"
+
+using namespace palpate;
+
+namespace {
+
+constexpr Barrier kBarrier{4e-4, 5e6, 0.3};
+
+TissueModel make_ball() {
+  return build_mass_spring(scenes::make_ellipsoid({0.030, 0.025, 0.020}, 3),
+                           {.wall_thickness = 0.003}, 100.0);
+}
+
+/// The nearest of a list and where, one triangle after the other.
+int find_plainly(const Vec3& p, std::span<const int> list, std::span<const Triangle> triangles,
+                 std::span<const Vec3> x, NearPoint& nearest) {
+  int best = -1;
+  for (const int t : list) {
+    const auto& [a, b, c] = triangles[static_cast<std::size_t>(t)];
+    const NearPoint point =
+        find_near_point(p, x[static_cast<std::size_t>(a)], x[static_cast<std::size_t>(b)],
+                        x[static_cast<std::size_t>(c)]);
+    if (best >= 0) {
+      const double slack = tree_kernels::kTie * nearest.square;
+      if (point.square > nearest.square + slack) continue;
+      const bool tied = point.square >= nearest.square - slack;
+      if (tied && !(std::abs(point.height) > std::abs(nearest.height))) continue;
+    }
+    best = t;
+    nearest = point;
+  }
+  return best;
+}
+
+/// Two balls, the upper one's lowest vertices `apart` [m] over the lower one.
+struct Facing {
+  explicit Facing(double apart)
+      : lower(make_ball()),
+        upper(make_ball()),
+        x_lower(lower.rest_position),
+        x_upper(upper.rest_position),
+        tree(x_lower, lower.triangles),
+        contacts(upper, lower, false, kBarrier) {
+    for (Vec3& x : x_upper) x.z() += 0.04 + apart;
+    renew_lists(x_upper, tree, x_lower, 0.0, contacts);
+    find_near(x_upper, lower.triangles, x_lower, contacts);
+  }
+  void find(double travel) { find_contacts(x_upper, lower.triangles, x_lower, travel, contacts); }
+  VertexContact find_alone(std::size_t k) const {
+    const int vertex = contacts.active[k];
+    return find_contact(contacts, vertex, x_upper[static_cast<std::size_t>(vertex)],
+                        lower.triangles, x_lower, std::numeric_limits<double>::infinity());
+  }
+
+  TissueModel lower, upper;
+  Vec3Array x_lower, x_upper;
+  AabbTree tree;
+  SurfaceContacts contacts;
+};
+
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("vector code finds the nearest of lists that plain code does, to the bit") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> spread(-1.0, 1.0);
+  const auto draw = [&] { return Vec3(spread(random), spread(random), spread(random)); };
+  for (const tree_kernels::Kernels* kernels : tree_kernels::available()) {
+    CAPTURE(std::string(kernels->target));
+    int slivers = 0;
+    for (int round = 0; round < 500; ++round) {
+      // a fan around one vertex, whose triangles share it and their edges
+      Vec3Array x = {1e-4 * draw()};
+      for (int k = 0; k < 6; ++k) {
+        const double angle = k * 1.047;
+        x.push_back(4e-3 * Vec3(std::cos(angle), std::sin(angle), 0.3 * spread(random)));
+      }
+      if (round % 10 == 0) x[2] = 0.5 * (x[0] + x[1]);
+      std::vector<Triangle> triangles;
+      for (int k = 0; k < 6; ++k) triangles.push_back({0, k + 1, (k + 1) % 6 + 1});
+      const std::vector<int> order = {3, 1, 0, 5, 2, 4};
+      std::array<Vec3, 4> points;
+      tree_kernels::FourLists lists;
+      for (std::size_t k = 0; k < 4; ++k) {
+        points[k] = k == 3 ? Vec3(x[0] + Vec3(0.0, 0.0, 3e-4)) : Vec3(4e-3 * draw());
+        lists.points[k] = &points[k];
+        lists.triangles[k] = std::span(order).first(6 - k);
+      }
+      tree_kernels::FourNearest found;
+
+      const unsigned healthy = kernels->find_nearest_listed(triangles, x, lists, found);
+
+      for (std::size_t k = 0; k < 4; ++k) {
+        if ((healthy >> k & 1U) == 0) {
+          ++slivers;
+          continue;
+        }
+        NearPoint point;
+        const int nearest = find_plainly(points[k], lists.triangles[k], triangles, x, point);
+        REQUIRE(found.triangle[k] == nearest);
+        REQUIRE(found.square[k] == point.square);
+        REQUIRE(found.height[k] == point.height);
+        for (std::size_t c = 0; c < 3; ++c) {
+          const auto i = static_cast<Eigen::Index>(c);
+          REQUIRE(found.weights[c][k] == point.weights[i]);
+          REQUIRE(found.offset[c][k] == point.offset[i]);
+          REQUIRE(found.normal[c][k] == point.normal[i]);
+        }
+      }
+    }
+    CHECK(slivers > 0);
+    CHECK(slivers < 400);
+  }
+}
+
+TEST_CASE("contacts that are found together are those found one by one, to the bit") {
+  Facing facing(1e-4);
+  facing.find(kUnknown);
+  REQUIRE(facing.contacts.active_count > 4);
+  for (std::size_t k = 0; k < facing.contacts.active_in_use().size(); ++k) {
+    const VertexContact &together = facing.contacts.contact[k], alone = facing.find_alone(k);
+    CHECK(together.triangle == alone.triangle);
+    CHECK(together.gap == alone.gap);
+    CHECK(together.weights == alone.weights);
+    CHECK(together.normal == alone.normal);
+  }
+}
+
+TEST_CASE("what cannot have come within the thickness is not looked at until it may have") {
+  Facing facing(kBarrier.thickness + 1.5e-5);
+  facing.find(kUnknown);
+  const std::span<const int> active = facing.contacts.active_in_use();
+  REQUIRE(!active.empty());
+  constexpr double kStep = 1e-6;  // [m]
+  int left_out = 0, within = 0;
+  for (int step = 0; step < 40; ++step) {
+    for (Vec3& x : facing.x_upper) x.z() -= kStep;
+    facing.find(kStep);
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      const VertexContact alone = facing.find_alone(k);
+      const VertexContact& kept = facing.contacts.contact[k];
+      if (alone.gap < kBarrier.thickness) {
+        ++within;
+        CHECK(kept.triangle == alone.triangle);
+        CHECK(kept.gap == alone.gap);
+      } else {
+        left_out += kept.triangle < 0 ? 1 : 0;
+      }
+    }
+  }
+  CHECK(left_out > 0);
+  CHECK(within > 0);
+
+  // nothing is left out where they went fast, or nobody knows how far
+  for (const double travel : {kBarrier.thickness, kUnknown}) {
+    facing.find(travel);
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      CHECK(facing.contacts.contact[k].gap == facing.find_alone(k).gap);
+    }
+  }
+}
