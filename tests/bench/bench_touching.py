@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What it costs that two bodies touch: a press of two layers, with their pair and without it in
-turns, tick by tick, in one process. Those that lie on each other begin at the thickness of the
-barrier over their whole faces; those that are pressed together touch where the upper one is bent.
+"""What it costs that two bodies touch: with their pair and without it in turns, tick by tick, in
+one process. Two layers, the upper one pressed by a ball and the lower one from below, so that both
+move in either scene; or a block that is laid down on a layer under its weight. Layers that lie on
+each other begin at the thickness of the barrier over their whole faces; those that are pressed
+together touch where the upper one is bent; the block is turned, so that no vertex is over another.
 
 .venv/bin/python tests/bench/bench_touching.py [CELLS]
 """
@@ -16,54 +18,89 @@ import numpy as np
 import palpate
 
 sys.path.append(str(Path(__file__).parents[1] / "scenes"))
+from failure_scenes import make_block  # noqa: E402
 from test_f06_layers import GAP, THICKNESS, make_layer  # noqa: E402
 
 SIDE, RADIUS, TICKS, SUBSTEPS = 0.1, 0.02, 400, 12
 SCENES = (("on each other", GAP, 4e-3), ("pressed together", 8e-4, 6e-3),
           ("20 mm apart", 0.02, 4e-3))  # fmt: skip
 """[m] The gap at rest, and how deep the ball goes."""
+LAID = "laid on"
+BLOCK, BLOCK_GAP, TURN = 0.045, 4e-4, 0.37
+"""[m] A side of the block, and how far it is over the layer; [rad] by which it is turned."""
 LEAST, MOST = 0.05, 0.1
 """[-] Of all particles that are vertices in touch: the share that is asked about."""
 
 
 def make_scene(cells: int, gap: float, paired: bool) -> palpate.Scene:
     bodies = [make_layer(SIDE, cells, z, 5e3) for z in (0.0, THICKNESS + gap)]
+    balls = [palpate.Instrument(tool=palpate.Tool(radius=RADIUS)) for _ in range(2)]
+    return build(bodies, balls, paired)
+
+
+def make_laid(cells: int, paired: bool) -> palpate.Scene:
+    """A free block as fine as the layer, which falls on it; without the pair through it."""
+    fine = max(2, round(cells * BLOCK / SIDE))
+    block = make_block((fine, fine, 2), (BLOCK, BLOCK, THICKNESS))
+    c, s = np.cos(TURN), np.sin(TURN)
+    points = np.asarray(block.vertices) @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+    points += [0.0011, 0.0007, THICKNESS + BLOCK_GAP]
+    material = palpate.Material(young_modulus=5e3, poisson_ratio=0.45, damping_ratio=0.2)
+    tissue = palpate.build_solid(palpate.SolidMesh(points, block.tetrahedra), material)
+    bodies = [make_layer(SIDE, cells, 0.0, 5e3), palpate.SoftBody(tissue=tissue)]
+    balls = [palpate.Instrument(tool=palpate.Tool(radius=RADIUS)) for _ in range(2)]
+    return build(bodies, balls, paired, (0.0, 0.0, -9.81))
+
+
+def build(bodies, instruments, paired: bool, gravity=(0.0, 0.0, 0.0)) -> palpate.Scene:
     for body in bodies:
         body.substeps = body.substeps_max = SUBSTEPS
     return palpate.build_scene(
         palpate.Scene(
             bodies=bodies,
-            instruments=[palpate.Instrument(tool=palpate.Tool(radius=RADIUS))],
+            instruments=instruments,
+            gravity=gravity,
             body_pairs=[palpate.BodyPair(0, 1)] if paired else [],
         )
     )
 
 
-def press(gap: float, depth: float) -> list[palpate.HapticSample]:
-    """Down at 20 mm/s, and a rest."""
-    top = 1.5 * THICKNESS + gap + RADIUS + 1e-4
+def press(gap: float, depth: float) -> list[list[palpate.HapticSample]]:
+    """Both balls at 20 mm/s, and a rest: the upper one `depth` [m], the lower one a millimetre."""
+    top, foot = 1.5 * THICKNESS + gap + RADIUS + 1e-4, -0.5 * THICKNESS - RADIUS - 1e-4
     samples = []
     for k in range(TICKS):
-        sample = palpate.HapticSample()
-        sample.position = (0.001, 0.002, top - min(depth, 0.02 * 1e-3 * k))
-        samples.append(sample)
+        upper, lower = palpate.HapticSample(), palpate.HapticSample()
+        upper.position = (0.001, 0.002, top - min(depth, 0.02 * 1e-3 * k))
+        lower.position = (0.001, 0.002, foot + min(1e-3, 0.02 * 1e-3 * k))
+        samples.append([upper, lower])
     return samples
 
 
-def time_ticks(scene: palpate.Scene, world: palpate.World, sample: palpate.HapticSample) -> float:
+def stay_away() -> list[list[palpate.HapticSample]]:
+    samples = [palpate.HapticSample() for _ in range(2)]
+    samples[0].position, samples[1].position = (0.2, 0.0, 0.2), (0.2, 0.0, -0.2)
+    return [samples] * TICKS
+
+
+def time_ticks(scene: palpate.Scene, world: palpate.World, samples) -> float:
     """[s] of this thread's processor time, which other work on the machine leaves alone."""
     began = time.thread_time()
-    palpate.tick(scene, sample, 1e-3, world)
+    palpate.tick(scene, samples, 1e-3, world)
     return time.thread_time() - began
 
 
 def main() -> int:
     cells = int(sys.argv[1]) if len(sys.argv) > 1 else 29
-    for name, gap, depth in SCENES:
-        scenes = [make_scene(cells, gap, paired) for paired in (True, False)]
+    todo = [
+        (name, [make_scene(cells, gap, paired) for paired in (True, False)], press(gap, depth))
+        for name, gap, depth in SCENES
+    ]
+    todo.append((LAID, [make_laid(cells, paired) for paired in (True, False)], stay_away()))
+    for name, scenes, samples in todo:
         worlds = [palpate.World(scene) for scene in scenes]
         times, touching = [], []
-        for sample in press(gap, depth):
+        for sample in samples:
             times.append([time_ticks(s, w, sample) for s, w in zip(scenes, worlds, strict=True)])
             touching.append(worlds[0].body_pairs[0].touching)
         count = sum(len(b.tissue.rest_position) for b in scenes[0].bodies)

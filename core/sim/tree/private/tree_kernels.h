@@ -58,8 +58,7 @@ struct Kernels {
                            std::span<int> out) noexcept = nullptr;
   /// The nearest of lists; bits of those that have no sliver, for which alone it is right.
   unsigned (*find_nearest_listed)(std::span<const Triangle> triangles, std::span<const Vec3> x,
-                                  const FourLists& lists,
-                                  FourNearest& found) noexcept = nullptr;
+                                  const FourLists& lists, FourNearest& found) noexcept = nullptr;
 };
 
 /// Those this machine can run, the best first; plain code is always the last.
