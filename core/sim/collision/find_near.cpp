@@ -111,10 +111,14 @@ std::size_t choose_nearest(const Listed& listed, std::size_t count) noexcept {
   return best;
 }
 
-void keep_near(std::size_t v, const Listed& listed, double nearest, double window,
-               SurfaceContacts& contacts) noexcept {
+/// Keeps the triangles that are no more than `window` [m] farther than the nearest. By how much [m]
+/// the surfaces may move until one of the others may be nearer; where there was no room for all of
+/// the window, half of what the next one is farther.
+double keep_near(std::size_t v, const Listed& listed, double nearest, double window,
+                 SurfaceContacts& contacts) noexcept {
   std::array<double, SurfaceContacts::kMostNear> distances;
   std::size_t count = 0;
+  double next = nearest + window;
   for (std::size_t k = 0; k < contacts.listed_count[v]; ++k) {
     const double distance = std::sqrt(listed.square[k]);
     if (distance > nearest + window) continue;
@@ -125,6 +129,7 @@ void keep_near(std::size_t v, const Listed& listed, double nearest, double windo
       continue;
     }
     const auto worst = std::ranges::max_element(distances);
+    next = std::min(next, std::max(distance, *worst));
     if (!(distance < *worst)) continue;
     const auto at = static_cast<std::size_t>(worst - distances.begin());
     *worst = distance;
@@ -133,6 +138,7 @@ void keep_near(std::size_t v, const Listed& listed, double nearest, double windo
   std::sort(contacts.near[v].begin(),
             contacts.near[v].begin() + static_cast<std::ptrdiff_t>(count));
   contacts.near_count[v] = static_cast<unsigned char>(count);
+  return 0.5 * (next - nearest);
 }
 
 /// A closed surface pushes outwards. Of an open one, a vertex is kept on the side it came from; and
@@ -182,7 +188,7 @@ void follow_side(std::size_t v, const Vec3& p, std::span<const Triangle> triangl
 void find_near_of(std::size_t v, const Vec3& p, std::span<const Triangle> triangles,
                   std::span<const Vec3> x_t, const Before& before,
                   SurfaceContacts& contacts) noexcept {
-  const double window = std::max(kNearWindow, 2.0 * contacts.ahead);
+  const double window = std::max(kNearWindow, 4.0 * contacts.ahead);
   const auto list = std::span<const int>(contacts.listed[v]).first(contacts.listed_count[v]);
   Listed listed;
   measure_listed(p, list, triangles, x_t, listed);
@@ -196,8 +202,10 @@ void find_near_of(std::size_t v, const Vec3& p, std::span<const Triangle> triang
     contacts.near_until[v] = contacts.moved + spare;
     return;
   }
-  contacts.near_until[v] = contacts.moved + 0.5 * window;
-  keep_near(v, listed, distance, window, contacts);
+  const double bears = keep_near(v, listed, distance, window, contacts);
+  // of a fold with more triangles than there is room for, the nearest do for as long as few would
+  const double least = std::max(0.5 * kNearWindow, contacts.ahead);
+  contacts.near_until[v] = contacts.moved + std::max(least, bears);
 }
 
 std::span<const int> list_near(const SurfaceContacts& contacts, int vertex) noexcept {
