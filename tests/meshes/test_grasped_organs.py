@@ -169,6 +169,16 @@ def test_jaws_that_close_on_a_liver_are_not_thrown_about():
 
 
 @pytest.mark.landing
+def test_what_a_crease_bears_no_more_is_held_still():
+    """What its hand may push with came back and was taken away again, by 0.4 N in a quarter of a
+    second."""
+    felt, _, _ = grasp(take("collecting_system"), 1)
+    check(felt)
+    load = np.linalg.norm(felt[0, HELD], axis=1)
+    assert np.ptp(load) < 0.1 * load.mean(), (np.ptp(load), load.mean())
+
+
+@pytest.mark.landing
 def test_jaws_that_open_in_a_crease_do_not_kick():
     """Once the hand had opened as far as it would, they stepped by 0.45 N."""
     felt, _, _ = grasp(take("kidney"), 2)

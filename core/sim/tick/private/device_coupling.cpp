@@ -78,8 +78,13 @@ constexpr double kBorneStrain = 0.75;
 /// Ticks by which a volume that shrinks is foretold.
 constexpr double kAhead = 2.0;
 
-/// [1/s] How fast the limit falls at most, and how fast it comes back.
-constexpr double kFall = 100.0, kRise = 10.0;
+/// [1/s] How fast the limit falls at most, and how fast it comes back: under a hand that has eased,
+/// and under one that still pushes with all it may. That one would come to the same again and
+/// again: in a narrow crease what jaws held went up and down by 0.5 N, six times a second.
+constexpr double kFall = 100.0, kRise = 10.0, kRisePushed = 0.1;
+
+/// [-] Of the limit: a hand that feels less has eased.
+constexpr double kHasEased = 0.95;
 
 /// [-] Of the hand's own limit: a hand pushes with so much in any case.
 constexpr double kLeast = 0.02;
@@ -175,7 +180,8 @@ void limit_hand(const Scene& scene, std::size_t instrument, double dt, World& wo
     if (!(reserve < 1.0)) return;
     motion.bearable = force;
   }
-  const double rate = std::clamp(kFall * (reserve - 1.0), -kFall, kRise);
+  const double rise = force < kHasEased * motion.bearable ? kRise : kRisePushed;
+  const double rate = std::clamp(kFall * (reserve - 1.0), -kFall, rise);
   motion.bearable = std::max(motion.bearable * (1.0 + rate * dt), kLeast * most);
   if (!(motion.bearable < most)) motion.bearable = kNone;
 }
