@@ -35,7 +35,7 @@ SPOTS = ((0.0, 0.0), (5e-3, 3e-3), (-7e-3, 2e-3))
 """[m] Where the layer is pressed: a corner, an edge and a middle feel different."""
 DEPTHS = np.array([1e-3, 2e-3])
 """[m]"""
-MEAN, SINGLE = 0.35, 2.0
+MEAN, SINGLE = 0.36, 2.0
 """[-] How far what is told may be from the mean of the places, and by what factor from one."""
 
 Truth = Callable[[float], float]
