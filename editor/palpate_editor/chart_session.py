@@ -74,7 +74,9 @@ def draw_kept_chart(
         told(progress.stage, TRUTH_SHARE * progress.fraction)
 
     truth = solve_truth(organ, progress=tell_truth, cancelled=asked, cache=folder / "truths")
-    plan = Plan(pack_document(apply_configuration(organ, NEUTRAL)), truth, "press", SPEED)
+    # rows with it need the far field, which none without it is held back by
+    neutral = replace(apply_configuration(organ, NEUTRAL), far_field=organ.far_field)
+    plan = Plan(pack_document(neutral), truth, "press", SPEED)
     wanted = list_configurations(organ) if configurations is None else list(configurations)
     with Store(compute_key(plan), folder / "charts") as store:
         watch = Watch(wanted, store, told, shown)

@@ -189,6 +189,23 @@ def test_a_chart_is_drawn_kept_and_its_choice_scored(tmp_path):
     assert again.rows[0].total == chart.rows[1].total and again.rows[0].cost == chart.rows[1].cost
 
 
+@pytest.mark.landing
+def test_a_shipped_solid_is_charted_with_its_far_field_and_without(tmp_path):
+    from palpate_editor.chart_session import draw_kept_chart
+    from palpate_editor.shipped import make_organ
+
+    spleen = make_organ("spleen")
+    own = find_configuration(spleen)
+    assert own.far_field == "fine"
+
+    chart = draw_kept_chart(
+        spleen, 1, "a.organ", cache=tmp_path, configurations=[own, replace(own, far_field="mesh")]
+    )
+
+    fine, mesh = (row.total for row in chart.rows)
+    assert fine.force_rms < 0.7 * mesh.force_rms < 0.1
+
+
 def test_a_chart_of_another_solid_is_refused_though_all_its_constants_are_the_same(organ):
     solid = replace(
         organ,
