@@ -63,6 +63,7 @@ NOT_MIRRORED = {
     "NativeCore.read(bytes)": "what C++ writes into its argument, Python is given back",
     "FaultyTransport.read(bytes)": "what C++ writes into its argument, Python is given back",
     "SerialTransport.read(bytes)": "what C++ writes into its argument, Python is given back",
+    "replay(stopped)": "Python hears its own signals meanwhile",
     "check_conformance(stopped)": "Python hears its own signals meanwhile",
     "SerialDevice.open(stopped)": "Python hears its own signals meanwhile",
     "SerialDevice.store(stopped)": "Python hears its own signals meanwhile",

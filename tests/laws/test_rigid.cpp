@@ -236,7 +236,8 @@ TEST_CASE("R4: a stone that is squeezed into a wall with all there is stays fini
     most = std::max(most, force);
     REQUIRE(world.rigid[0].position.allFinite());
   }
-  CHECK(most > 0.7);  // more the layer does not bear [stability: what tissue bears]
+  // more the layer does not bear, and a hand that goes on pushing gets back a tenth of it a second
+  CHECK(most > 0.4);  // [stability: what tissue bears]
   CHECK(compute_winding_number(scene.bodies[0].tissue.triangles, surface_position(world.bodies[0]),
                                world.rigid[0].position) < 0.5);
   CHECK(world.rigid[0].tissue_force.norm() > 0.0);
