@@ -25,11 +25,13 @@ def layout() -> Layout:
 
 
 def list_wrong(layout: Layout) -> dict[str, Layout]:
-    [stone] = layout.stones
+    [stone], [kidney] = layout.stones, layout.bodies
+    # a weightless kidney bears any gravity, and a stone of 3 N as well
+    heavy = replace(layout, bodies=(replace(kidney, weightless=False),))
     return {
         "--density 2e+06kg/m3": replace(layout, stones=(replace(stone, density=2e6),)),
         "--density 2kg/m3": replace(layout, stones=(replace(stone, density=2.0),)),
-        "--gravity=0,0,-9.8e+03": replace(layout, gravity=(0.0, 0.0, -9810.0)),
+        "--gravity=0,0,-9.8e+03": replace(heavy, gravity=(0.0, 0.0, -9810.0)),
         "--fluid 1e+06,0.001": replace(layout, fluid=(1e6, 1e-3)),
     }
 
