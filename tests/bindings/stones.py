@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import palpate
 from palpate import scenario
-from surfaces import organ_scene
+from surfaces import ellipsoid, organ_scene
 
 TABLE = -0.06
 """[m] The top of the table."""
@@ -16,6 +16,8 @@ RADIUS = 0.005
 """[m] Of the stone, a ball."""
 START = (0.05, 0.0, 0.0)
 """[m] Where it begins."""
+HALF = np.array([5.5, 4.5, 4.0])
+"""[mm] Half axes of the stone of a mesh."""
 
 
 def make_table(half: float = 0.1) -> palpate.SurfaceMesh:
@@ -26,6 +28,13 @@ def make_table(half: float = 0.1) -> palpate.SurfaceMesh:
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     triangles = [t for a, b, c, d in sides for t in ((a, b, c), (a, c, d))]
     return palpate.SurfaceMesh(corners, triangles)
+
+
+def make_stone_mesh(scale: float = 1.0, fine: int = 2) -> palpate.SurfaceMesh:
+    """An ellipsoid of these half axes times `scale`."""
+    ball = ellipsoid((1.0, 1.0, 1.0), fine)
+    x = np.asarray(ball.vertices)
+    return palpate.SurfaceMesh(scale * HALF * x / np.abs(x).max(axis=0), ball.triangles)
 
 
 def make_stone() -> palpate.RigidBody:

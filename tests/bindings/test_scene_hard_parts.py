@@ -13,25 +13,10 @@ import palpate
 import pytest
 from palpate.cli.main import main
 from palpate.files.refusal import Refusal
-from palpate.layout.document import PlacedStone
-from palpate.layout.gaps import Surface
-from palpate.layout.hard_parts import build_stone
 from palpate.layout.layout_file import ADDED, read_layout
-from palpate.layout.stone import FEWEST, MOST, fit_hull, measure_mass
-from scipy.spatial.transform import Rotation
-from stones import make_table
-from surfaces import ellipsoid
+from stones import HALF, make_stone_mesh, make_table
 from test_layout import write_organ
 from test_scene_verb import say
-
-HALF = np.array([5.5, 4.5, 4.0])
-"""[mm] Half axes of the stone."""
-
-
-def make_stone(scale: float = 1.0, fine: int = 2) -> palpate.SurfaceMesh:
-    ball = ellipsoid((1.0, 1.0, 1.0), fine)
-    x = np.asarray(ball.vertices)
-    return palpate.SurfaceMesh(scale * HALF * x / np.abs(x).max(axis=0), ball.triangles)
 
 
 def write_mesh(path: Path, mesh: palpate.SurfaceMesh) -> Path:
@@ -45,7 +30,7 @@ def write_mesh(path: Path, mesh: palpate.SurfaceMesh) -> Path:
 def layout(tmp_path, capsys) -> Path:
     """An organ, a stone on the table beside it, and the table, which stops the organ."""
     organ, path = write_organ(tmp_path), tmp_path / "stone.layout.json"
-    stone = write_mesh(tmp_path / "stone.obj", make_stone())
+    stone = write_mesh(tmp_path / "stone.obj", make_stone_mesh())
     table = write_mesh(tmp_path / "table.obj", make_table())
     say(capsys, "new", "-o", path, "--title", "A stone")
     say(capsys, "add", path, organ, "--name", "organ")
@@ -182,7 +167,7 @@ def test_a_published_stone_lies_on_its_table_under_gravity(layout, tmp_path, cap
 
 
 def test_a_stone_of_a_fine_mesh_is_nothing_to_tell_of(layout, tmp_path, capsys):
-    write_mesh(tmp_path / "stone.obj", make_stone(fine=3))
+    write_mesh(tmp_path / "stone.obj", make_stone_mesh(fine=3))
     say(capsys, "place", layout, "stone", "--renew")
 
     assert say(capsys, "check", layout, "--quick")["problems"] == []
@@ -314,7 +299,7 @@ def test_what_cannot_be_done_is_refused_and_leaves_the_layout_as_it_was(
     monkeypatch.chdir(layout.parent)
     open_one = palpate.SurfaceMesh([(0, 0, 0), (0.01, 0, 0), (0, 0.01, 0)], [(0, 1, 2)])
     write_mesh(layout.parent / "open.obj", open_one)
-    write_mesh(layout.parent / "tiny.obj", make_stone(1e-3))
+    write_mesh(layout.parent / "tiny.obj", make_stone_mesh(1e-3))
     before = layout.read_bytes()
 
     assert main(["scene", words[0], str(layout), *words[1:]]) == code
@@ -324,80 +309,9 @@ def test_what_cannot_be_done_is_refused_and_leaves_the_layout_as_it_was(
 
 
 def test_a_changed_mesh_is_told_and_its_new_file_can_be_taken(layout, tmp_path, capsys):
-    write_mesh(tmp_path / "stone.obj", make_stone(0.5))
+    write_mesh(tmp_path / "stone.obj", make_stone_mesh(0.5))
 
     (problem,) = say(capsys, "check", layout, "--quick")["problems"]
     assert problem["where"] == "stone" and "another file than was added" in problem["message"]
     say(capsys, "place", layout, "stone", "--renew")
     assert say(capsys, "check", layout, "--quick")["code"] == 0
-
-
-# ---------------------------------------------------------------- mass and hull
-
-
-def test_mass_and_inertia_of_an_ellipsoid_are_those_of_the_books():
-    turn = Rotation.from_rotvec((0.3, -0.8, 0.5)).as_matrix()
-    mesh = make_stone(1e-3, 3)
-    moved = np.asarray(mesh.vertices) @ turn.T + (0.1, 0.2, 0.3)
-    still, turned = measure_mass(mesh), measure_mass(palpate.SurfaceMesh(moved, mesh.triangles))
-
-    # I = m/5 (b² + c²), ascending; a mesh of chords is a little smaller
-    square = (1e-3 * HALF) ** 2
-    by_hand = still.volume / 5.0 * (square.sum() - square)
-    assert still.volume == pytest.approx(4.0 / 3.0 * np.pi * 1e-9 * HALF.prod(), rel=0.03)
-    assert still.inertia == pytest.approx(by_hand, rel=0.03)
-    assert turned.volume == pytest.approx(still.volume, rel=1e-9)
-    assert turned.inertia == pytest.approx(still.inertia, rel=1e-9)
-    assert turned.centre - (0.1, 0.2, 0.3) == pytest.approx(turn @ still.centre, abs=1e-12)
-    assert np.abs(turned.axes.T @ turn @ still.axes) == pytest.approx(np.eye(3), abs=1e-6)
-
-
-def test_the_inertia_of_a_box_is_exact():
-    box = measure_mass(make_table(0.05))
-    sides = np.array([0.1, 0.1, 0.01])
-    assert box.volume == pytest.approx(sides.prod())
-    by_hand = box.volume / 12.0 * ((sides**2).sum() - sides**2)
-    assert box.inertia == pytest.approx(np.sort(by_hand))
-
-
-@pytest.mark.parametrize("count", [FEWEST, 14, MOST])
-def test_the_spheres_of_a_hull_lie_in_the_mesh_and_touch_it(count):
-    mesh = make_stone(1e-3)
-    hull = fit_hull(mesh, count)
-
-    surface = Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
-    assert len(np.unique(hull.centres, axis=0)) == count
-    for centre, radius in zip(hull.centres, hull.radii, strict=True):
-        gap = surface.find_near(centre, 0.0, np.zeros(3))
-        assert gap is not None and -gap.size == pytest.approx(radius, rel=1e-9)
-    gaps = np.linalg.norm(surface.x[:, None] - hull.centres, axis=2) - hull.radii
-    assert gaps.min(axis=1).max() == pytest.approx(hull.deepest)
-    assert hull.deepest < 0.12 * 2e-3 * HALF.max()
-
-
-def test_a_stone_is_the_same_however_it_is_turned_in_its_file():
-    turn = Rotation.from_rotvec((0.4, 0.2, -0.9))
-    mesh = make_stone(1e-3)
-    x = turn.apply(np.asarray(mesh.vertices)) + (0.02, 0.0, 0.0)
-    placed = PlacedStone("stone", "stone.obj", "", position=(0.0, 0.1, 0.0))
-    a = build_stone(mesh, placed).body
-    b = build_stone(palpate.SurfaceMesh(x, mesh.triangles), placed).body
-
-    for body, points in ((a, np.asarray(mesh.vertices)), (b, x)):
-        world = Rotation.from_quat(body.orientation).apply(body.mesh.vertices) + body.position
-        assert world == pytest.approx(points + (0.0, 0.1, 0.0), abs=1e-9)
-    assert b.mass == pytest.approx(a.mass)
-    assert b.inertia == pytest.approx(a.inertia)
-
-
-def test_a_mesh_inside_out_and_one_without_room_are_refused():
-    mesh = make_stone(1e-3)
-    turned = palpate.SurfaceMesh(mesh.vertices, np.asarray(mesh.triangles)[:, ::-1])
-    with pytest.raises(ValueError, match="counter-clockwise"):
-        measure_mass(turned)
-    with pytest.raises(ValueError, match="spheres: got 7, expected 8 to 20"):
-        fit_hull(mesh, 7)
-    with pytest.raises(ValueError, match="no room for spheres"):
-        corners = [(0, 0, 0), (0.01, 0, 0), (0, 0.01, 0), (0.003, 0.003, 1e-6)]
-        flat = palpate.SurfaceMesh(corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
-        fit_hull(flat, 8)

@@ -8,13 +8,12 @@
 #include <string>
 
 #include "calls.h"
-#include "core/tick/press_scene.h"
+#include "core/tick/placed_bodies.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "palpate/sim/tick/private/check_input.h"
 #include "palpate/sim/tick/private/choose_substeps.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/world_internals.h"
-#include "scenes/linear_solids.h"
 #include "scenes/solids.h"
 #include "skip.h"
 
@@ -23,30 +22,11 @@ using namespace palpate::testing;
 
 namespace {
 
-constexpr double kDt = 1e-3;
-const Vec3 kAside(0.1, 0.0, 0.0);  ///< [m] where the second body is
-
-/// The body of press_scene(), moved, of links `stiffer` times as stiff.
-SoftBody make_body(const Vec3& offset = Vec3::Zero(), double stiffer = 1.0) {
-  SoftBody body = press_scene().bodies[0];
-  body.substeps = body.substeps_max = 0;
-  for (Vec3& x : body.tissue.rest_position) x += offset;
-  for (double& stiffness : body.tissue.springs.stiffness) stiffness *= stiffer;
-  return body;
-}
-
 Scene make_scene_of(std::vector<SoftBody> bodies, std::size_t instruments = 1) {
   Scene scene;
   scene.bodies = std::move(bodies);
   scene.instruments.resize(instruments);
   return build_scene(std::move(scene));
-}
-
-/// press_script(), at another body.
-HapticSample read_at(ScriptedDevice& hand, int i, const Vec3& offset = Vec3::Zero()) {
-  HapticSample sample = hand.read(kDt * i);
-  sample.position += offset;
-  return sample;
 }
 
 /// [N] on a body: gravity aside, all that its load does.
@@ -384,55 +364,4 @@ TEST_CASE("an alarm of one body leaves every other where it was, at most a tick 
     const double off = scenes::max_difference(world.bodies[1].tissue.position, before);
     CHECK(off <= (kernel == Kernel::packed ? 0.0 : 2.0 * step));
   }
-}
-
-TEST_CASE("a weightless body moves under gravity as it does without, and the one beside it sags") {
-  for (const Kernel kernel : {Kernel::packed, Kernel::reference}) {
-    if (kernel == Kernel::packed && simd_targets().empty()) continue;
-    CAPTURE(static_cast<int>(kernel));
-    Scene scene;
-    scene.bodies = {make_body(), make_body(kAside)};
-    for (SoftBody& body : scene.bodies) body.kernel = kernel;
-    scene.bodies[0].weightless = true;
-    const Scene light = build_scene(scene);
-    scene.gravity = {0.0, 0.0, -9.81};
-    const Scene heavy = build_scene(std::move(scene));
-    World with(heavy), without(light);
-    ScriptedDevice hand = press_script(3e-3, 0.4);
-
-    for (int i = 0; i < 200; ++i) {
-      const HapticSample sample = read_at(hand, i);
-      tick(heavy, sample, kDt, with);
-      tick(light, sample, kDt, without);
-      REQUIRE_FALSE(with.alarm);
-    }
-
-    CHECK(with.instruments[0].last_force.norm() > 0.0);
-    CHECK(with.bodies[0].tissue.position == without.bodies[0].tissue.position);
-    CHECK(with.bodies[0].guard.work == without.bodies[0].guard.work);
-    const auto sagged = [&](const World& world) {
-      return scenes::max_difference(world.bodies[1].tissue.position,
-                                    heavy.bodies[1].tissue.rest_position);
-    };
-    CHECK(sagged(with) > 1e-5);
-    CHECK(sagged(without) < 1e-8);  // [m] rounding of the packed laws
-  }
-}
-
-TEST_CASE("a weightless linear solid is solved without its weight") {
-  Scene scene;
-  scene.gravity = {0.0, 0.0, -9.81};
-  scene.bodies[0].tissue = scenes::make_linear_organ(5, 0.9, 0.2);
-  const Scene heavy = build_scene(scene);
-  scene.bodies[0].weightless = true;
-  const Scene light = build_scene(std::move(scene));
-
-  const auto largest = [](const Scene& made) {
-    float most = 0.0F;
-    for (const float sag : made.bodies[0].response->sag) most = std::max(most, std::abs(sag));
-    return most;
-  };
-
-  CHECK(largest(heavy) > 1e-6F);
-  CHECK(largest(light) == 0.0F);
 }
