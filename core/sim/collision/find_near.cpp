@@ -44,8 +44,7 @@ NearPoint find_on(const Vec3& p, int triangle, std::span<const Triangle> triangl
                          x_t[static_cast<std::size_t>(c)]);
 }
 
-/// The nearest of some triangles. Where several share the point, the one that p is highest over or
-/// deepest under tells the side: over an edge, the plane of another may lie on either.
+/// The nearest of some triangles, -1 of none.
 int find_nearest(const Vec3& p, std::span<const int> list, std::span<const Triangle> triangles,
                  std::span<const Vec3> x_t, NearPoint& nearest) noexcept {
   int best = -1;
@@ -57,11 +56,8 @@ int find_nearest(const Vec3& p, std::span<const int> list, std::span<const Trian
                      x_t[static_cast<std::size_t>(c)], most, point)) {
       continue;
     }
-    if (best >= 0) {
-      const double slack = tree_kernels::kTie * nearest.square;
-      if (point.square > nearest.square + slack) continue;
-      const bool tied = point.square >= nearest.square - slack;
-      if (tied && !(std::abs(point.height) > std::abs(nearest.height))) continue;
+    if (best >= 0 && !is_nearer(point.square, point.height, nearest.square, nearest.height)) {
+      continue;
     }
     best = t;
     nearest = point;
@@ -102,11 +98,9 @@ void measure_listed(const Vec3& p, std::span<const int> list, std::span<const Tr
 std::size_t choose_nearest(const Listed& listed, std::size_t count) noexcept {
   std::size_t best = 0;
   for (std::size_t k = 1; k < count; ++k) {
-    const double nearest = listed.square[best], slack = tree_kernels::kTie * nearest;
-    if (listed.square[k] > nearest + slack) continue;
-    const bool tied = listed.square[k] >= nearest - slack;
-    if (tied && !(std::abs(listed.height[k]) > std::abs(listed.height[best]))) continue;
-    best = k;
+    if (is_nearer(listed.square[k], listed.height[k], listed.square[best], listed.height[best])) {
+      best = k;
+    }
   }
   return best;
 }

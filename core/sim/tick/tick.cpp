@@ -208,17 +208,12 @@ void run_substeps(const Scene& scene, double dt, int finest, World& world) noexc
   for (HandMotion& motion : workspace(world).hands) motion.felt.setZero();
   begin_stopping(world);
   begin_rigid(scene, dt / finest, world);
-  Stopwatch watch(world.measures_costs);
   for (int s = 0; s < finest; ++s) {
     balance_instruments(scene, dt / finest, world);
     touch_bodies(scene, s, finest, dt / finest, world);
-    watch.lap();
     touch_rigid(scene, dt / finest, world);
-    watch.add_to(world.costs.rigid.contact);
     move_bodies(scene, dt, s, finest, world);
-    watch.lap();
     move_rigid(scene, dt / finest, world);
-    watch.add_to(world.costs.rigid.contact);
   }
   end_touching(finest, world);
   end_rigid(finest, world);
@@ -359,9 +354,7 @@ void tick(const Scene& scene, std::span<const HapticSample> samples, double dt, 
   for (std::size_t i = 0; i < instruments; ++i) read_hand(scene, samples[i], dt, i, world);
   find_body_contacts(scene, dt, world);
   find_scenery_contacts(scene, world);
-  Stopwatch watch(world.measures_costs);
   find_rigid_contacts(scene, dt, world);
-  watch.add_to(world.costs.rigid.candidates);
   const int chosen = choose_substeps(scene, dt, world);
   wake_bodies(dt, world);
   begin_bodies(scene, world);

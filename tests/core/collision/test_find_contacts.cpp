@@ -32,14 +32,10 @@ int find_plainly(const Vec3& p, std::span<const int> list, std::span<const Trian
     const NearPoint point =
         find_near_point(p, x[static_cast<std::size_t>(a)], x[static_cast<std::size_t>(b)],
                         x[static_cast<std::size_t>(c)]);
-    if (best >= 0) {
-      const double slack = tree_kernels::kTie * nearest.square;
-      if (point.square > nearest.square + slack) continue;
-      const bool tied = point.square >= nearest.square - slack;
-      if (tied && !(std::abs(point.height) > std::abs(nearest.height))) continue;
+    if (best < 0 || is_nearer(point.square, point.height, nearest.square, nearest.height)) {
+      best = t;
+      nearest = point;
     }
-    best = t;
-    nearest = point;
   }
   return best;
 }

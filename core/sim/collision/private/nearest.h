@@ -89,4 +89,14 @@ inline NearPoint find_near_point(const Vec3& p, const Vec3& a, const Vec3& b,
   return near;
 }
 
+/// Whether a point of another triangle, by its square and height, is to be taken for the nearest in
+/// place of the one that is. Where several triangles share the point, the one that p is highest
+/// over or deepest under tells the side: over an edge, the plane of another may lie on either.
+inline bool is_nearer(double square, double height, double nearest_square,
+                      double nearest_height) noexcept {
+  const double slack = tree_kernels::kTie * nearest_square;
+  if (square > nearest_square + slack) return false;
+  return square < nearest_square - slack || std::abs(height) > std::abs(nearest_height);
+}
+
 }  // namespace palpate

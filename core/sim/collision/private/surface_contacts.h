@@ -128,8 +128,8 @@ struct ContactSum {
   Vec3 force = Vec3::Zero();  ///< [N] on the triangles
 };
 
-/// How far two surfaces have gone together at most since their contacts were looked at last [m]:
-/// whether that is so little, and was to be so little in this tick, that what is not within the
+/// Whether surfaces that have gone by `travel` [m] at most, both together, since their contacts
+/// were looked at last go so slowly, and are to in all of this tick, that what is not within the
 /// thickness cannot come to the floor within a substep.
 bool go_slowly(const SurfaceContacts& contacts, double travel) noexcept;
 

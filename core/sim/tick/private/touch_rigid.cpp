@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "palpate/sim/grasp/private/jaws.h"
+#include "palpate/sim/tick/private/cost_histograms.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/rigid_touch.h"
 #include "palpate/sim/tick/private/touch_hard.h"
@@ -246,6 +247,7 @@ void meet_rigid(const Scene& scene, double dt, World& world) noexcept {
 }
 
 void find_rigid_contacts(const Scene& scene, double dt, World& world) noexcept {
+  Stopwatch watch(world.measures_costs);
   TickBuffers& work = workspace(world);
   RigidContacts& rigid = work.rigid;
   for (std::size_t r = 0; r < rigid.bodies.size(); ++r) {
@@ -271,6 +273,7 @@ void find_rigid_contacts(const Scene& scene, double dt, World& world) noexcept {
     }
   }
   for (std::size_t b = 0; b < rigid.row.size(); ++b) take_row(scene, b, world);
+  watch.add_to(world.costs.rigid.candidates);
 }
 
 bool is_rigid_near(std::size_t body, World& world) noexcept {
@@ -308,6 +311,7 @@ void begin_rigid(const Scene& scene, double dt, World& world) noexcept {
 }
 
 void touch_rigid(const Scene& scene, double dt, World& world) noexcept {
+  Stopwatch watch(world.measures_costs);
   TickBuffers& work = workspace(world);
   RigidContacts& rigid = work.rigid;
   for (Load& load : rigid.loads) load.clear();
@@ -340,14 +344,17 @@ void touch_rigid(const Scene& scene, double dt, World& world) noexcept {
     add_fluid(body.fixed, scene.fluid, scene.gravity, body.moved.volume, body.state,
               body.moved.wrench);
   }
+  watch.add_to(world.costs.rigid.contact);
 }
 
 void move_rigid(const Scene& scene, double dt, World& world) noexcept {
+  Stopwatch watch(world.measures_costs);
   for (std::size_t r = 0; r < world.rigid.size(); ++r) {
     const MovedBody& moved = workspace(world).rigid.bodies[r];
     advance_rigid(moved.moved, moved.wrench, dt, world.rigid[r]);
     place_rigid(scene, r, world);
   }
+  watch.add_to(world.costs.rigid.contact);
 }
 
 void end_rigid(int finest, World& world) noexcept {
