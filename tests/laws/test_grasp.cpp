@@ -227,8 +227,9 @@ TEST_CASE("G2: a grasp that is held for a minute keeps its load" * doctest::test
   hand.wait(1.0);
   const Hold hold = measure_hold(hand, 60.0);
   MESSAGE("drift ", 1e6 * hold.drift, " um, ", 1e3 * hold.swing, " mN");
+  // the goals of 10 um and 1 mN are missed: by how jaws come to lie it is 3 to 16 um
   CHECK(hold.drift < 1.5e-5);
-  CHECK(hold.swing < 500.0 * 1.5e-5);  // K times the most drift; the goal of 1 mN is missed
+  CHECK(hold.swing < 500.0 * 1.5e-5);  // K times the most drift
 }
 
 TEST_CASE("G2: a wall of prisms and a solid creep in jaws by less than 1 um in 10 s" *
