@@ -231,7 +231,6 @@ World::World(const Scene& scene) : scene_identity(validated(scene).identity) {
   build_hard_surfaces(scene, *this);
   build_body_contacts(scene, *this);
   build_scenery_contacts(scene, *this);
-  costs.scenery.resize(scenery_contacts.size());
   build_rigid_contacts(scene, *this);
 }
 

@@ -141,6 +141,7 @@ void build_scenery_contacts(const Scene& scene, World& world) {
       for (const int held : tissue.fixed) stopped.inverse_mass[at(held)] = 0.0;
     }
   }
+  world.costs.scenery.resize(world.scenery_contacts.size());
   meet_scenery(world);
   find_scenery_contacts(scene, world);
 }
