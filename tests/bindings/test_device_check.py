@@ -156,6 +156,20 @@ class Costs:
     class lateness:  # noqa: N801, a name of LoopReport
         p99 = 5e-5
 
+    fault = palpate.DeviceFault.none
+
+
+class Gone(Costs):
+    """A run whose device fell silent."""
+
+    fault = palpate.DeviceFault.device_failed
+
+
+class Cut(Costs):
+    """A run that ended while the stop button was in."""
+
+    fault = palpate.DeviceFault.motors_cut
+
 
 def record_of(person: Person) -> palpate.Record:
     rows = [palpate.HapticSample(time=k * DT, position=person.tip) for k in range(person.tick)]
@@ -178,6 +192,17 @@ def test_a_report_says_each_value_with_its_bound_and_slow_pictures_fail(wall):
     assert [(each["name"], each["value"], each["bound"]) for each in failed] == [
         ("display", 20.0, 24.0)
     ]
+
+
+def test_a_device_that_fails_ends_its_check_as_its_own_reason(wall):
+    person = Person(wall)
+    person.play()
+    record = record_of(person)
+    gone = person.check.describe(record, Gone, 60.0, True)
+    assert not gone["ok"] and gone["ended_early"]
+    assert gone["note"] == "ended early: device_failed"
+    assert all(each["ok"] for each in gone["checks"])
+    assert not person.check.describe(record, Cut, 60.0, True)["ended_early"]
 
 
 def test_a_mouse_has_no_force_and_says_so(wall):

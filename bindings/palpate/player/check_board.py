@@ -36,6 +36,12 @@ class CheckBoard(Board):
             text = translate("Player", "The device is as it should be.")
         elif not report["checks"]:
             text = translate("Player", "The device was not checked, so there is practice alone.")
+        elif report.get("ended_early"):
+            text = translate(
+                "Player",
+                "The device failed before its check was over: look at its cable, then check again. "
+                "Until then there is practice alone.",
+            )
         else:
             text = translate("Player", "The device is not as it should be: attempts with it would "
                              "not count, so there is practice alone.")  # fmt: skip

@@ -18,7 +18,7 @@ from palpate.player.sentences import translate
 from palpate.render import Appearance
 from palpate.render.authored_appearance import find_appearance, find_colours
 from palpate.render.shapes import build_sphere
-from palpate.runs.device_check import TARGETS, DeviceCheck, Stage, build_wall
+from palpate.runs.device_check import TARGETS, DeviceCheck, Stage, build_wall, is_broken
 from palpate.runs.live import LiveRun
 from palpate.runs.play import find_driver
 from palpate.scene.surfaces import join_positions, join_rest_surfaces, join_triangles
@@ -34,6 +34,9 @@ WATCHED = 3.0
 """[s] that a device without force is watched."""
 CLEAR_EVERY = 0.2
 """[s] between two tries to bring the motors back"""
+SILENT = 0.5
+"""[s] without a frame after which a run is taken to rest: its motors were cut and came back between
+two pictures."""
 MARK = Appearance((0.98, 0.72, 0.25), gloss=0.2, subsurface=0.0, casts_shadow=False)
 WALL = Appearance((0.45, 0.52, 0.60), gloss=0.3, subsurface=0.0)
 MARK_RADIUS = 0.003
@@ -54,7 +57,7 @@ class CheckRun(QObject):
         self.with_force = False
         self._hand: PointerHand | None = None
         self._folder: tempfile.TemporaryDirectory[str] | None = None
-        self._frames, self._began, self._cleared = 0, 0.0, 0.0
+        self._frames, self._began, self._cleared, self._seen = 0, 0.0, 0.0, 0.0
         self._timer = QTimer(self, interval=FRAME_MS)
         self._timer.timeout.connect(self.follow)
 
@@ -88,6 +91,7 @@ class CheckRun(QObject):
         window.show_board(None)
         assert self.run is not None
         self._frames, self._began = 0, time.monotonic()
+        self._cleared = self._seen = 0.0
         self.run.start()
         self._timer.start()
 
@@ -130,8 +134,11 @@ class CheckRun(QObject):
         fault = run.report().fault
         cut = fault is palpate.DeviceFault.motors_cut
         frame = None if self.window.view.is_busy() else run.take_frame()
+        if frame is not None or self.window.view.is_busy():
+            self._seen = clock
         # the run may rest on although the motors are back
-        rests = cut or (check.stopped and frame is None)
+        silent = clock - self._seen > SILENT
+        rests = cut or silent or (check.stopped and frame is None)
         if rests and clock - self._cleared > CLEAR_EVERY:
             self._cleared = clock
             self._bring_back(run)
@@ -145,8 +152,12 @@ class CheckRun(QObject):
         elif rests:
             check.take_rest(clock)
         self._tell(clock)
-        broken = fault not in (palpate.DeviceFault.none, palpate.DeviceFault.motors_cut)
-        if check.over or broken or not run.running or (not self.with_force and clock > WATCHED):
+        if (
+            check.over
+            or is_broken(fault)
+            or not run.running
+            or (not self.with_force and clock > WATCHED)
+        ):
             self._finish(clock)
 
     def _bring_back(self, run: LiveRun) -> None:

@@ -177,13 +177,15 @@ class DeviceCheck:
     def describe(
         self, record: palpate.Record, costs: palpate.LoopReport, fps: float, with_force: bool
     ) -> Report:
-        """What a session keeps: each check with value and bound, and whether all are met."""
+        """What a session keeps: each check with value and bound, the fault of a device that ended
+        the check early, and whether all are met.
+        """
         checks = [
             tell("display", fps, "1/s", LEAST_FPS, fps >= LEAST_FPS),
             tell("ticks", costs.lateness.p99, "s", LATE, costs.lateness.p99 <= LATE),
         ]
         if not with_force:
-            return finish(checks, False)
+            return finish(checks, False, costs.fault)
         if self.read_status is not None:
             status = self.read_status()
             lost = status.lost_reports / max(1, status.reports)
@@ -214,7 +216,7 @@ class DeviceCheck:
                 tell("force", off, "-", FORCE_ERROR, off <= FORCE_ERROR),
                 tell("stop", float(self.stopped), "-", 1.0, stop),
             ]
-        return finish(checks, True)
+        return finish(checks, True, costs.fault)
 
     def find_rows(self, stage: Stage, count: int) -> slice:
         """Of a record, those of a stage."""
@@ -243,7 +245,15 @@ def tell(name: str, value: float, unit: str, bound: float, ok: bool) -> Report:
     return {"name": name, "value": finite, "unit": unit, "bound": float(bound), "ok": bool(ok)}
 
 
-def finish(checks: list[Report], with_force: bool) -> Report:
+def is_broken(fault: palpate.DeviceFault) -> bool:
+    """A check cannot go on with such a device; motors that are cut are what one stage asks for."""
+    return fault not in (palpate.DeviceFault.none, palpate.DeviceFault.motors_cut)
+
+
+def finish(checks: list[Report], with_force: bool, fault: palpate.DeviceFault) -> Report:
     note = "" if with_force else "no force; not comparable"
-    ok = all(check["ok"] for check in checks)
-    return {"force": with_force, "note": note, "checks": checks, "ok": ok}
+    if is_broken(fault):
+        note = f"ended early: {fault.name}"
+    ok = not is_broken(fault) and all(check["ok"] for check in checks)
+    return {"force": with_force, "note": note, "checks": checks, "ok": ok,
+            "ended_early": is_broken(fault)}  # fmt: skip

@@ -572,6 +572,10 @@
         <translation>Cihaz olması gerektiği gibi değil: onunla yapılan denemeler sayılmaz, bu yüzden yalnız alıştırma yapılabilir.</translation>
     </message>
     <message>
+        <source>The device failed before its check was over: look at its cable, then check again. Until then there is practice alone.</source>
+        <translation>Cihaz, denetimi bitmeden arızalandı: kablosuna bakın, sonra yeniden denetleyin. O zamana dek yalnız alıştırma yapılabilir.</translation>
+    </message>
+    <message>
         <source>The device was not checked, so there is practice alone.</source>
         <translation>Cihaz denetlenmedi, bu yüzden yalnız alıştırma yapılabilir.</translation>
     </message>
