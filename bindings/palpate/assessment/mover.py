@@ -77,7 +77,9 @@ class Mover(Person):
         self.trocar = None if trocar is None else np.asarray(trocar)
         gravity = np.array(scene.gravity)
         self.up = -unit(gravity) if np.linalg.norm(gravity) > 0.0 else np.array([0.0, 0.0, 1.0])
-        self.buttons = 1 if scene.instruments[instrument].tool.jaws is not None else 0
+        self.closes = scene.instruments[instrument].tool.jaws is not None
+        self.buttons = int(self.closes)
+        self.ahead = np.zeros(3)
 
     def see(self, world: palpate.World) -> None:
         self.places = [np.array(body.position) for body in world.rigid]
@@ -99,18 +101,26 @@ class Mover(Person):
         self.position = self.base + self.tremble(dt)
 
     def follow(self, dt: float) -> None:
-        """Goes on to the next goal."""
+        """Goes on to the next goal. A hand that slips while it waits goes on as it last went."""
         if self.left > 0.0 or not self.goals:
             self.left -= dt
+            if self.skill.lapses > 0.0:
+                self.base = self.base + self.ahead * self.slip(dt)
+                self.hold()
             return
         goal = self.goals[0]
-        ahead = unit(goal.to - self.base)
+        self.ahead = unit(goal.to - self.base)
         self.base, arrived = step_to(self.base, goal.to, goal.speed * dt)
-        self.base = self.base + ahead * self.slip(dt)
-        self.buttons = 1 if goal.closed and self.lapse <= 0.0 else 0  # a finger slips as well
+        self.base = self.base + self.ahead * self.slip(dt)
+        self.closes = goal.closed
+        self.hold()
         if arrived:
             self.goals.pop(0)
             self.left = goal.stay
+
+    def hold(self) -> None:
+        """A finger slips as well."""
+        self.buttons = 1 if self.closes and self.lapse <= 0.0 else 0
 
     def find_outside(self, place: Vec) -> Vec:
         """[m] On the way from a point to the trocar, or over it."""
