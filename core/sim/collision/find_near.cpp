@@ -16,6 +16,9 @@ constexpr double kNearWindow = 2e-4;
 /// [m] A vertex so much beyond the thickness is taken for one that may touch.
 constexpr double kTouchWindow = 2e-5;
 
+/// [-] Of its gap: a contact is found again when both surfaces may have gone so far since.
+constexpr double kHeldTravel = 0.1;
+
 /// [-] Of the thickness: what goes no farther in a substep goes slowly.
 constexpr double kSlow = 0.3;
 
@@ -264,7 +267,31 @@ void find_four(const std::array<std::size_t, 4>& places, std::size_t count,
     const double spare = contact.gap - contacts.barrier.thickness - kRounding;
     contacts.far_until[places[lane]] =
         contact.triangle < 0 ? contacts.travelled : contacts.travelled + spare;
+    contacts.held_until[places[lane]] =
+        contact.triangle < 0 ? contacts.travelled : contacts.travelled + kHeldTravel * contact.gap;
   }
+}
+
+/// No contact for a while; below 0, the triangle can be told from its number.
+void leave_out(VertexContact& contact) noexcept {
+  if (contact.triangle >= 0) contact.triangle = ~contact.triangle;
+}
+void take_back(VertexContact& contact) noexcept {
+  if (contact.triangle < 0) contact.triangle = ~contact.triangle;
+}
+
+/// Follows a contact by the points that were nearest: n (p - sum w x) is the gap to where it was
+/// found, but for the square of how far p has slid over that point, and its gradient is that of the
+/// forces. False where it has slid too far.
+bool follow_held(const Vec3& p, const Triangle& corners, std::span<const Vec3> x_t,
+                 VertexContact& contact) noexcept {
+  const Vec3 point = contact.weights[0] * x_t[static_cast<std::size_t>(corners[0])] +
+                     contact.weights[1] * x_t[static_cast<std::size_t>(corners[1])] +
+                     contact.weights[2] * x_t[static_cast<std::size_t>(corners[2])];
+  const Vec3 offset = p - point;
+  contact.gap = contact.normal.dot(offset);
+  const double most = kHeldPart * contact.gap;
+  return contact.gap > 0.0 && (offset - contact.gap * contact.normal).squaredNorm() < most * most;
 }
 
 }  // namespace
@@ -290,7 +317,7 @@ void find_near(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
     if (contacts.near_count[v] == 0) continue;
     const auto at = static_cast<std::size_t>(contacts.active_count++);
     contacts.active[at] = static_cast<int>(v);
-    contacts.far_until[at] = 0.0;
+    contacts.far_until[at] = contacts.held_until[at] = 0.0;
   }
 }
 
@@ -316,8 +343,15 @@ void find_contacts(std::span<const Vec3> x_v, std::span<const Triangle> triangle
   std::size_t count = 0;
   for (std::size_t k = 0; k < active.size(); ++k) {
     if (slowly && contacts.far_until[k] > contacts.travelled) {
-      contacts.contact[k].triangle = -1;
+      leave_out(contacts.contact[k]);
       continue;
+    }
+    if (slowly && contacts.held_until[k] > contacts.travelled) {
+      VertexContact& contact = contacts.contact[k];
+      take_back(contact);
+      const Triangle& corners = triangles[static_cast<std::size_t>(contact.triangle)];
+      const Vec3& p = x_v[static_cast<std::size_t>(active[k])];
+      if (travel == 0.0 || follow_held(p, corners, x_t, contact)) continue;
     }
     lanes[count++] = k;
     if (count < lanes.size()) continue;

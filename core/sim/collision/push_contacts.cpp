@@ -8,6 +8,21 @@
 namespace palpate {
 namespace {
 
+/// [m/s] As TouchingSurface::velocity_of(), which is called for each corner of each contact.
+Vec3 find_velocity(const TouchingSurface& surface, int vertex) noexcept {
+  if (!surface.tissue.skin.corners.empty()) return surface.velocity_of(vertex);
+  const auto v = static_cast<std::size_t>(vertex);
+  if (!surface.touch.has_impulse) return surface.velocity[v];
+  return surface.velocity[v] + surface.touch.impulse[v];
+}
+
+/// As TouchingSurface::add_force(), likewise.
+void add_force_on(const TouchingSurface& surface, int vertex, const Vec3& force) noexcept {
+  const auto v = static_cast<std::size_t>(vertex);
+  surface.touch.force[v] += force;
+  if (surface.touch.is_pushed[v] == 0) surface.add_force(vertex, Vec3::Zero());
+}
+
 /// A contact, and what moves there.
 struct Moving {
   double inverse_mass = 0.0;  ///< [1/kg] of the gap: of the vertex, and of the corners by weight
@@ -17,14 +32,15 @@ struct Moving {
 Moving measure(const VertexContact& contact, int vertex, const TouchingSurface& vertices,
                const TouchingSurface& triangles) noexcept {
   const auto v = static_cast<std::size_t>(vertex);
-  Moving moving{vertices.touch.inverse_mass[v], vertices.velocity_of(vertex).dot(contact.normal)};
+  Moving moving{vertices.touch.inverse_mass[v],
+                find_velocity(vertices, vertex).dot(contact.normal)};
   const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
   for (int c = 0; c < 3; ++c) {
     const int corner = corners[static_cast<std::size_t>(c)];
     const double w = contact.weights[c];
     if (w == 0.0) continue;
     moving.inverse_mass += w * w * triangles.touch.inverse_mass[static_cast<std::size_t>(corner)];
-    moving.speed -= w * triangles.velocity_of(corner).dot(contact.normal);
+    moving.speed -= w * find_velocity(triangles, corner).dot(contact.normal);
   }
   return moving;
 }
@@ -43,11 +59,11 @@ void add_impulse(const VertexContact& contact, int vertex, const Vec3& j,
 /// Likewise a force.
 void add_force(const VertexContact& contact, int vertex, const Vec3& force,
                const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
-  vertices.add_force(vertex, force);
+  add_force_on(vertices, vertex, force);
   const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
   for (int c = 0; c < 3; ++c) {
     const double w = contact.weights[c];
-    if (w != 0.0) triangles.add_force(corners[static_cast<std::size_t>(c)], -w * force);
+    if (w != 0.0) add_force_on(triangles, corners[static_cast<std::size_t>(c)], -w * force);
   }
 }
 
@@ -106,7 +122,8 @@ void stop_what_is_left(const SurfaceContacts& contacts, double dt, const Touchin
 /// the thickness, from wherever it is, mass-weighted, one contact after the other, so that none
 /// takes twice what another has taken.
 ContactSum push_contacts(double dt, const TouchingSurface& vertices,
-                         const TouchingSurface& triangles, SurfaceContacts& contacts) noexcept {
+                         const TouchingSurface& triangles, SurfaceContacts& contacts,
+                         bool with_energy) noexcept {
   const Barrier& barrier = contacts.barrier;
   const std::span<const int> active = contacts.active_in_use();
   const double travel = find_travel(vertices, triangles);
@@ -136,7 +153,7 @@ ContactSum push_contacts(double dt, const TouchingSurface& vertices,
     if (!within && force == 0.0) continue;
     add_force(contact, vertex, force * contact.normal, vertices, triangles);
     sum.least_gap = sum.touching++ == 0 ? contact.gap : std::min(sum.least_gap, contact.gap);
-    sum.energy += area * compute_barrier_energy(barrier, contact.gap);
+    if (with_energy) sum.energy += area * compute_barrier_energy(barrier, contact.gap);
     sum.force -= force * contact.normal;
   }
   if (stopped) stop_what_is_left(contacts, dt, vertices, triangles, sum);

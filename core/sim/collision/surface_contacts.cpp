@@ -149,6 +149,7 @@ SurfaceContacts::SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh&
   active.assign(count, 0);
   contact.assign(count, {});
   far_until.assign(count, 0.0);
+  held_until.assign(count, 0.0);
 }
 
 /// A vertex is looked at once in a round, and its list is found again where half of its margin is

@@ -150,8 +150,8 @@ TEST_CASE("what cannot have come within the thickness is not looked at until it 
       const VertexContact& kept = facing.contacts.contact[k];
       if (alone.gap < kBarrier.thickness) {
         ++within;
-        CHECK(kept.triangle == alone.triangle);
-        CHECK(kept.gap == alone.gap);
+        CHECK(kept.triangle >= 0);
+        CHECK(kept.gap == doctest::Approx(alone.gap).epsilon(kHeldPart * kHeldPart));
       } else {
         left_out += kept.triangle < 0 ? 1 : 0;
       }
@@ -167,4 +167,55 @@ TEST_CASE("what cannot have come within the thickness is not looked at until it 
       CHECK(facing.contacts.contact[k].gap == facing.find_alone(k).gap);
     }
   }
+}
+
+TEST_CASE("a contact that is held is the nearest to the square of how far it has slid") {
+  Facing facing(-1.5e-5 + kBarrier.thickness);
+  facing.find(kUnknown);
+  const std::span<const int> active = facing.contacts.active_in_use();
+  REQUIRE(!active.empty());
+  const std::vector<VertexContact> first = facing.contacts.contact;
+  const Vec3 step(1.5e-6, -1e-6, -1e-6);  // [m]
+  int held = 0, found_again = 0;
+  for (int k = 0; k < 60; ++k) {
+    for (Vec3& x : facing.x_upper) x += step;
+    facing.find(step.norm());
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      const VertexContact alone = facing.find_alone(i);
+      const VertexContact& kept = facing.contacts.contact[i];
+      if (!(alone.gap < kBarrier.thickness) || first[i].triangle < 0) continue;
+      REQUIRE(kept.triangle >= 0);
+      // the point that was nearest is farther than the one that is by half the square of the angle
+      CHECK(kept.gap <= alone.gap * (1.0 + 1e-9));
+      CHECK(kept.gap >= alone.gap * (1.0 - kHeldPart * kHeldPart));
+      CHECK((kept.normal - alone.normal).norm() < 1.5 * kHeldPart);
+      (kept.normal == first[i].normal ? held : found_again) += 1;
+    }
+  }
+  CHECK(held > 0);
+  CHECK(found_again > 0);
+}
+
+TEST_CASE("a contact that is held pushes with minus the gradient of its energy") {
+  Facing facing(0.5 * kBarrier.thickness);
+  facing.find(kUnknown);
+  const std::span<const int> active = facing.contacts.active_in_use();
+  const auto add_up = [&](double way, bool force) {
+    Facing moved = facing;
+    for (Vec3& x : moved.x_upper) x.z() += way;
+    moved.find(std::abs(way));
+    double sum = 0.0;
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      const VertexContact& contact = moved.contacts.contact[k];
+      if (contact.triangle < 0) continue;
+      const double area = moved.contacts.area[static_cast<std::size_t>(active[k])];
+      sum += area * (force ? compute_pressure(kBarrier, contact.gap) * contact.normal.z()
+                           : compute_barrier_energy(kBarrier, contact.gap));
+    }
+    return sum;
+  };
+  constexpr double kWay = 2e-7;  // [m]
+  const double slope = (add_up(kWay, false) - add_up(-kWay, false)) / (2.0 * kWay);
+  CHECK(add_up(1e-9, true) > 0.0);
+  CHECK(-slope == doctest::Approx(add_up(1e-9, true)).epsilon(1e-4));
 }

@@ -16,6 +16,9 @@ namespace palpate {
 /// [m] Lists go so much beyond the thickness, and hold until the surfaces may have moved by it.
 inline constexpr double kListMargin = 1e-3;
 
+/// [-] Of its gap: a contact is found again when its vertex has slid so far since.
+inline constexpr double kHeldPart = 0.02;
+
 /// Where a vertex is over the nearest triangle.
 struct VertexContact {
   int triangle = -1;            ///< none: nothing is within reach
@@ -72,7 +75,8 @@ struct SurfaceContacts {
   // (find_contacts)
   double travelled = 0.0;  ///< [m] since find_near the surfaces have gone no farther, both together
   std::vector<VertexContact> contact;  ///< of the active ones, as they are; none of those far off
-  std::vector<double> far_until;  ///< [m] of `travelled`, per active one: farther off till then
+  std::vector<double> far_until;   ///< [m] of `travelled`, per active one: farther off till then
+  std::vector<double> held_until;  ///< [m] likewise: `contact` follows where it was found till then
 
   std::span<const int> active_in_use() const noexcept {
     return std::span(active).first(static_cast<std::size_t>(active_count));
@@ -136,13 +140,17 @@ bool go_slowly(const SurfaceContacts& contacts, double travel) noexcept;
 /// Finds the contacts of all active vertices with the nearest of their triangles into
 /// SurfaceContacts::contact: those of find_contact(), to the bit, some at a time. The surfaces have
 /// gone by `travel` [m] since it was called last, or since find_near; where they go slowly, what
-/// cannot have come within the thickness has none.
+/// cannot have come within the thickness has none, and a contact keeps normal and weights until it
+/// has slid by kHeldPart of its gap, or they may have gone by a tenth of it: meanwhile the gap is
+/// that of the same points, along the same normal.
 void find_contacts(std::span<const Vec3> x_v, std::span<const Triangle> triangles,
                    std::span<const Vec3> x_t, double travel, SurfaceContacts& contacts) noexcept;
 
-/// Adds the forces of all contacts to both surfaces, for a substep of dt [s] from here.
+/// Adds the forces of all contacts to both surfaces, for a substep of dt [s] from here; the energy
+/// in the barrier is left out unless it is asked for, as it takes a logarithm for each contact.
 ContactSum push_contacts(double dt, const TouchingSurface& vertices,
-                         const TouchingSurface& triangles, SurfaceContacts& contacts) noexcept;
+                         const TouchingSurface& triangles, SurfaceContacts& contacts,
+                         bool with_energy = true) noexcept;
 
 /// What contacts ask of the steps of a tick of dt [s].
 struct ContactNeed {

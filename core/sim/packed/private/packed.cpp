@@ -2,6 +2,7 @@
 #include "palpate/sim/packed/private/packed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "palpate/sim/dynamics/private/alarms.h"
@@ -183,6 +184,26 @@ void unpack_particle(const PackedModel& model, const TissueModel& tissue, const 
   const float* v = packed.velocity.data() + at;
   state.position[particle] = tissue.rest_position[particle] + Vec3(u[0], u[width], u[2 * width]);
   state.velocity[particle] = Vec3(v[0], v[width], v[2 * width]);
+}
+
+double unpack_particles(const PackedModel& model, const TissueModel& tissue,
+                        const PackedState& packed, std::span<const int> particles,
+                        State& state) noexcept {
+  const auto width = static_cast<std::size_t>(model.width);
+  const Vec3* rest = tissue.rest_position.data();
+  Vec3 *position = state.position.data(), *velocity = state.velocity.data();
+  double most = 0.0;
+  for (const int particle : particles) {
+    const auto i = static_cast<std::size_t>(particle);
+    const std::size_t at = find_in_slices(model, static_cast<std::size_t>(model.row[i]));
+    const float* u = packed.displacement.data() + at;
+    const float* v = packed.velocity.data() + at;
+    const Vec3 now = rest[i] + Vec3(u[0], u[width], u[2 * width]);
+    most = std::max(most, (now - position[i]).squaredNorm());
+    position[i] = now;
+    velocity[i] = Vec3(v[0], v[width], v[2 * width]);
+  }
+  return std::sqrt(most);
 }
 
 void unpack(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,

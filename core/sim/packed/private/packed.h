@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "palpate/sim/dynamics/guard.h"
@@ -63,5 +64,10 @@ void unpack_positions(const PackedModel& model, const TissueModel& tissue,
 /// Writes position and velocity of one particle, as unpack() would.
 void unpack_particle(const PackedModel& model, const TissueModel& tissue, const PackedState& packed,
                      std::size_t particle, State& state) noexcept;
+
+/// Likewise of some particles; how far one of them has gone from where `state` had it at most [m].
+double unpack_particles(const PackedModel& model, const TissueModel& tissue,
+                        const PackedState& packed, std::span<const int> particles,
+                        State& state) noexcept;
 
 }  // namespace palpate

@@ -114,14 +114,8 @@ void list_near(const Moved& moved, NearList& near) noexcept {
 /// Brings particles up to date where a tool may touch; how far one of them has gone at most [m].
 double unpack_near(const TissueModel& tissue, const PackedKernel& kernel,
                    SoftState& state) noexcept {
-  double most = 0.0;
-  for (const int particle : kernel.near.particles_in_use()) {
-    const auto i = static_cast<std::size_t>(particle);
-    const Vec3 before = state.tissue.position[i];
-    unpack_particle(*kernel.model, tissue, kernel.state, i, state.tissue);
-    most = std::max(most, (state.tissue.position[i] - before).squaredNorm());
-  }
-  return std::sqrt(most);
+  return unpack_particles(*kernel.model, tissue, kernel.state, kernel.near.particles_in_use(),
+                          state.tissue);
 }
 
 /// And the skin on them.

@@ -187,7 +187,7 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
       if (contacts.sides[k].active_count == 0) continue;
       const ContactSum sum =
           push_contacts(dt, view_surface(scene, bodies[k], world),
-                        view_surface(scene, bodies[1 - k], world), contacts.sides[k]);
+                        view_surface(scene, bodies[1 - k], world), contacts.sides[k], s == 0);
       const double towards_second = contacts.side_count == 1 ? 0.0 : k == 0 ? 1.0 : -1.0;
       note(sum, towards_second, pair);
       energy += sum.energy;
