@@ -2,8 +2,10 @@
 #include "palpate/sim/contact/private/mesh_response.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace palpate {
 namespace {
@@ -22,21 +24,31 @@ void for_each_corner(std::span<const Triangle> triangles, const NearContacts& co
   }
 }
 
+/// A triangle, for find_gradient() of its corners.
+struct Slopes {
+  Slopes(const TouchedSurface& surface, int triangle) noexcept {
+    const Triangle& t = surface.triangles[static_cast<std::size_t>(triangle)];
+    for (std::size_t c = 0; c < 3; ++c) corners[c] = surface.x[static_cast<std::size_t>(t[c])];
+    across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    square = std::max(across.squaredNorm(), 1e-300);
+  }
+
+  std::array<Vec3, 3> corners;  ///< [m]
+  Vec3 across;                  ///< [m²]
+  double square = 0.0;          ///< [m⁴]
+};
+
 /// [1/m] Of the barycentric weight of a corner, along the triangle: also how its normal turns where
 /// that corner alone sinks.
-Vec3 find_gradient(const TouchedSurface& surface, int triangle, std::size_t corner) noexcept {
-  const Triangle& t = surface.triangles[static_cast<std::size_t>(triangle)];
-  const auto at = [&](std::size_t c) noexcept -> const Vec3& {
-    return surface.x[static_cast<std::size_t>(t[c % 3])];
-  };
-  const Vec3 across = (at(1) - at(0)).cross(at(2) - at(0));
-  return across.cross(at(corner + 2) - at(corner + 1)) / std::max(across.squaredNorm(), 1e-300);
+Vec3 find_gradient(const Slopes& slopes, std::size_t corner) noexcept {
+  const auto& at = slopes.corners;
+  return slopes.across.cross(at[(corner + 2) % 3] - at[(corner + 1) % 3]) / slopes.square;
 }
 
-}  // namespace
-
-MeshResponse compute_response(const TouchedSurface& surface, const NearContacts& other,
-                              NearContacts& contacts) noexcept {
+/// As compute_response(); its tilt is what `take(place, corner, moved, tilt)` makes of it.
+template <class Take>
+MeshResponse sum_response(const TouchedSurface& surface, const NearContacts& other,
+                          NearContacts& contacts, Take take) noexcept {
   const NearField& near = *surface.near;
   std::vector<double>& weight = contacts.weight;
   double pushed = 0.0, felt = 0.0;
@@ -58,8 +70,7 @@ MeshResponse compute_response(const TouchedSurface& surface, const NearContacts&
                     felt += part;
                     sum.compliance += part * moved;
                     sum.known += part * known;
-                    sum.tilt += contacts.contact[i].force * moved *
-                                find_gradient(surface, contacts.triangle[i], c);
+                    take(i, c, moved, sum.tilt);
                   });
   for_each_corner(
       surface.triangles, other,
@@ -67,6 +78,20 @@ MeshResponse compute_response(const TouchedSurface& surface, const NearContacts&
   if (!(pushed * felt > 0.0)) return {};
   const double whole = 1.0 / (pushed * felt);
   return {sum.compliance * whole, sum.known * whole, sum.tilt * whole};
+}
+
+}  // namespace
+
+MeshResponse compute_response(const TouchedSurface& surface, const NearContacts& other,
+                              NearContacts& contacts) noexcept {
+  std::optional<Slopes> slopes;
+  std::size_t known = 0;
+  return sum_response(surface, other, contacts,
+                      [&](std::size_t i, std::size_t c, double moved, Vec3& tilt) noexcept {
+                        if (!slopes || known != i) slopes.emplace(surface, contacts.triangle[i]);
+                        known = i;
+                        tilt += contacts.contact[i].force * moved * find_gradient(*slopes, c);
+                      });
 }
 
 /// A force F_j at the distance D moves a half space by F_j/(pi E* D) [Boussinesq85], and the body
@@ -81,7 +106,8 @@ void find_crossings(const Tool& tool, const TouchedSurface& surface,
     const NearContacts& other = *surface.others[j];
     contacts.cross[j] = 0.0;
     if (!(other.force > 0.0) || near.wall_thickness > 0.0) continue;
-    const MeshResponse mesh = compute_response(surface, other, contacts);
+    const MeshResponse mesh = sum_response(surface, other, contacts,
+                                           [](std::size_t, std::size_t, double, Vec3&) noexcept {});
     const double distance = std::max((contacts.middle - other.middle).norm(), 2.0 * tool.radius);
     const double far = 0.5 * (contacts.far_compliance + other.far_compliance);
     const double truth = std::numbers::inv_pi / (near.modulus * distance) + far;
@@ -112,9 +138,9 @@ Contact level(const TouchedSurface& surface, const Vec3& tilt, const Axes& axes,
   const Triangle& t = surface.triangles[static_cast<std::size_t>(triangle)];
   const Vec3 pressed = compute_point(t, soft.weights, surface.x);
   const double height = (find_nearest_on_axes(axes, p, pressed) - pressed).norm();
+  const Slopes slopes(surface, triangle);
   for (std::size_t c = 0; c < 3; ++c) {
-    contact.weights[static_cast<Eigen::Index>(c)] +=
-        height * turn.dot(find_gradient(surface, triangle, c));
+    contact.weights[static_cast<Eigen::Index>(c)] += height * turn.dot(find_gradient(slopes, c));
   }
   contact.weights = contact.weights.cwiseMax(0.0);
   contact.weights /= contact.weights.sum();
