@@ -29,7 +29,7 @@ pulls 4 % less on the gallbladder, the third 10 %, and the second 13 % less on t
 where 2 % was the goal (core/CONTACT.md)."""
 HELD = slice(1900, 2200)
 """Ticks of a cycle in which nothing moves."""
-SUBSTEPS = {"gallbladder_grasp": 21, "stomach_two_graspers": 8}
+SUBSTEPS = {"gallbladder_grasp": 21, "stomach_two_graspers": 10}
 """A tick that jaws hold through at most: a third more than at rest, or what the stretched wall asks
 for by itself. With what the sum of all contacts asks for, 26 and 13, much the same is felt."""
 AT_REST = 0.5
