@@ -31,10 +31,10 @@ constexpr double kLongestMove = 0.3;
 /// longer asked for one is taken back each time, so slowly that no contact is pumped up.
 constexpr double kEased = 0.02;
 
-/// Substeps that instruments on a solid under a skin, or jaws on a wall of prisms, may ask for at
-/// most. The particles under a skin are heavy, none flies past an instrument in a substep as those
-/// of a membrane do, for which there may be more; and what jaws squeeze, or a shaft lies along, is
-/// as stiff as its bound says for its own small motions alone.
+/// Substeps that instruments on a solid under a skin may ask for at most. The particles under a
+/// skin are heavy, none flies past an instrument in a substep as those of a membrane do, for which
+/// there may be more; and what jaws squeeze, or a shaft lies along, is as stiff as its bound says
+/// for its own small motions alone.
 constexpr double kMostOnSkin = 8.0;
 
 /// A tissue that is this much stiffer gets other substeps: 0.9² of stable_step() has room for it.
@@ -119,12 +119,6 @@ double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
     limit = std::min(limit, find_limit(soft, work.chosen_stiffness + contact));
   }
   return std::ceil(dt / (kStepShare * limit));
-}
-
-/// Of prisms, which have a thickness: what jaws hold of springs alone creeps by more than it may
-/// with so few substeps (tests/laws/test_grasp.cpp, G2).
-bool is_wall(const SoftBody& body) noexcept {
-  return body.near_field && body.near_field->wall_thickness > 0.0;
 }
 
 /// How many substeps an impact asks for: a particle far lighter than the hand leaves it at up to
@@ -233,12 +227,6 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
   if (alone && !soft.tissue.skin.corners.empty()) {
     most =
         std::clamp(std::max(kMostOnSkin, 4.0 / 3.0 * soft.substeps), double(soft.substeps), most);
-  } else if (alone && near_jaws && !is_rigid_near(body, world) && is_wall(soft)) {
-    // what tissue that is stretched asks for by itself, and an impact, is no contact's; and where
-    // that falls, substeps follow one by one
-    most = std::min(most, std::max({kMostOnSkin, std::floor(4.0 / 3.0 * soft.substeps), fewest,
-                                    count_impact_substeps(travel, state),
-                                    keep_substeps(true, dt, world.tick_count, work)}));
   }
   return static_cast<int>(std::clamp(wanted, double(soft.substeps), most));
 }
