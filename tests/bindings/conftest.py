@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+MESHES = Path(__file__).resolve().parents[2] / "meshes"
+
 
 @pytest.fixture
 def shown(qtbot, rough_frames):
@@ -81,3 +83,31 @@ def view(qtbot, monkeypatch):
     yield made
     made.hide()
     gc.collect()
+
+
+@pytest.fixture(scope="module")
+def short_task(tmp_path_factory) -> Path:
+    """A patch to be touched, then pressed for a moment, with a limit that a press passes."""
+    from palpate import scenario
+    from palpate.assessment.publish import read_assessment, with_assessment
+
+    path = MESHES / "scenarios" / "simple_tissue.json"
+    assessment = read_assessment(path)
+    assessment["steps"] = [step for step in assessment["steps"] if step["id"] in ("touch", "push")]
+    assessment["levels"] = ["normal"]
+    assessment["parameters"] = {"press": {"unit": "N", "value": 0.3},
+                                "limit": {"unit": "N", "value": 0.2},
+                                "dwell": {"unit": "s", "uniform": [0.1, 0.3]}}  # fmt: skip
+    assessment["steps"][1]["for_s"] = "$dwell"
+    organ = scenario.read(MESHES / "published" / "simple_tissue.palpate")
+    out = tmp_path_factory.mktemp("task") / "tissue.palpate"
+    scenario.write(out, with_assessment(path, assessment, organ))
+    return out
+
+
+@pytest.fixture
+def database(tmp_path, monkeypatch) -> Path:
+    from palpate.records.store import ENVIRONMENT
+
+    monkeypatch.setenv(ENVIRONMENT, str(tmp_path / "db" / "records.sqlite"))
+    return tmp_path / "db" / "records.sqlite"

@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-import time
-from pathlib import Path
-
 import palpate
 import pytest
 from palpate import scenario
@@ -14,71 +11,13 @@ from palpate.player import TraineeWindow
 from palpate.player.trainee_window import Phase
 from palpate.records.people import find_person
 from palpate.records.queries import list_attempts, show_attempt
-from palpate.records.store import ENVIRONMENT, Store
-from palpate.runs.device_check import Stage
-from palpate.runs.play import Play, open_play
+from palpate.records.store import Store
+from palpate.runs.play import open_play
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
-from tiers import keep_everyday
+from short_tasks import MESHES, PATIENCE, Scripted, click, open_task, picture
 from trainees import texts
-from windows import LEFT, grab
-
-MESHES = Path(__file__).resolve().parents[2] / "meshes"
-PATIENCE = 60_000
-"""[ms] A run on a machine that has much else to do."""
-
-
-@pytest.fixture(scope="module")
-def short_task(tmp_path_factory) -> Path:
-    """A patch to be touched, then pressed for a moment, with a limit that a press passes."""
-    path = MESHES / "scenarios" / "simple_tissue.json"
-    assessment = read_assessment(path)
-    assessment["steps"] = [step for step in assessment["steps"] if step["id"] in ("touch", "push")]
-    assessment["levels"] = ["normal"]
-    assessment["parameters"] = {"press": {"unit": "N", "value": 0.3},
-                                "limit": {"unit": "N", "value": 0.2},
-                                "dwell": {"unit": "s", "uniform": [0.1, 0.3]}}  # fmt: skip
-    assessment["steps"][1]["for_s"] = "$dwell"
-    organ = scenario.read(MESHES / "published" / "simple_tissue.palpate")
-    out = tmp_path_factory.mktemp("task") / "tissue.palpate"
-    scenario.write(out, with_assessment(path, assessment, organ))
-    return out
-
-
-@pytest.fixture
-def database(tmp_path, monkeypatch) -> Path:
-    monkeypatch.setenv(ENVIRONMENT, str(tmp_path / "db" / "records.sqlite"))
-    return tmp_path / "db" / "records.sqlite"
-
-
-class Scripted(Play):
-    """A mouse's window, whose hand is a careful one."""
-
-    def build_hand(self, scene: palpate.Scene | None = None) -> palpate.HapticDevice:
-        from palpate.assessment.selfplay import attempt
-
-        if scene is not None:  # of the check of the device
-            return palpate.SurfacePointer(scene)
-        assert self.drawn is not None
-        return palpate.ReplayDevice(attempt(self.scenario.scene, self.drawn, "careful").samples[0])
-
-
-def open_task(short_task: Path) -> Play:
-    play = open_play(short_task)
-    return Scripted(**vars(play))
-
-
-def click(button) -> None:
-    assert button.isVisible(), button.text()
-    QTest.mouseClick(button, LEFT)
-
-
-def picture(window: TraineeWindow, checkout: Path, name: str) -> None:
-    folder = checkout / "build" / "screenshots" / "trainee"
-    folder.mkdir(parents=True, exist_ok=True)
-    assert grab(window) is not None
-    window.grab().save(str(folder / f"{name}.png"))
 
 
 def play_to_the_end(window: TraineeWindow, qtbot) -> None:
@@ -379,106 +318,6 @@ def test_keys_alone_lead_from_who_to_play_and_to_the_menu(open_window, qtbot, sh
     go_to(over.menu.quit)
     QTest.keyClick(window.focusWidget(), Qt.Key.Key_Return)
     assert not window.isVisible()
-
-
-@pytest.mark.parametrize("language", keep_everyday(["en", "tr"], ("en",)))
-def test_a_mouse_is_told_that_it_gives_no_force_after_three_seconds(
-    open_window, qtbot, short_task, database, language, checkout
-):
-    window = open_window(open_task(short_task))
-    over = window.over
-    click(over.who.languages.buttons[language])
-    click(over.who.guest)
-    click(over.consent.agree)
-    surface = len(window.view.scenery.triangles)
-    click(over.start.check)
-    assert over.board() is None
-    assert len(window.view.scenery.triangles) == 288  # the wall, 12 by 12 squares
-    picture(window, checkout, f"{language}_check_running")
-    qtbot.waitUntil(lambda: over.board() is over.check, timeout=PATIENCE)
-
-    assert len(window.view.scenery.triangles) == surface
-    picture(window, checkout, f"{language}_check")
-    assert {"en": "not comparable", "tr": "karşılaştırılamaz"}[
-        language
-    ] in over.check.summary.text()
-    keeper = window.attendance.keeper
-    with keeper.store.begin() as connection:
-        kept = connection.exec_driver_sql('select "check" from session').scalar_one()
-    assert "no force; not comparable" in kept
-    click(over.check.go)
-    assert over.board() is over.start
-    window.close()
-
-
-@pytest.mark.landing
-def test_an_arm_is_checked_before_it_is_played_and_a_failed_check_leaves_practice(
-    open_window, qtbot, short_task, database, checkout
-):
-    play = open_play(short_task, "plant")
-    window = open_window(play)
-    over, check = window.over, window.attendance.admission.check
-    arms, build = [], play.build_device
-    play.build_device = lambda hand: arms.append(build(hand)) or arms[-1]
-    click(over.who.guest)
-    click(over.consent.agree)
-    assert check.busy and over.board() is None
-
-    def asks_for_stop() -> bool:
-        return check.check is not None and check.check.stage is Stage.stop
-
-    # on a busy machine the emulated cable may fall silent, which ends a check: asked for again
-    for _ in range(5):
-        qtbot.waitUntil(lambda: not check.busy or asks_for_stop(), timeout=5 * PATIENCE)
-        if asks_for_stop():
-            break
-        assert window.attendance.admission.checked["ended_early"]
-        assert "before its check was over" in over.check.summary.text()
-        click(over.check.again)
-    picture(window, checkout, "en_check_stop")
-    arms[-1].press_stop(True)
-    qtbot.waitUntil(lambda: check.check is None or check.check.stopped, timeout=PATIENCE)
-    arms[-1].press_stop(False)
-    qtbot.waitUntil(lambda: over.board() is over.check, timeout=PATIENCE)
-
-    # the mouse did not move: nothing was touched
-    report = window.attendance.admission.checked
-    failed = {each["name"] for each in report["checks"] if not each["ok"]}
-    assert {"targets", "wall"} <= failed
-    assert "stop" in {each["name"] for each in report["checks"]} - failed
-    assert not over.check.go.isVisible()
-    picture(window, checkout, "en_check_failed")
-    QTest.keyClick(window, Qt.Key.Key_R)
-    assert window.phase is Phase.ready
-    click(over.check.practice)
-    click(over.start.start)
-    assert window.phase is Phase.running
-    assert list_attempts(Store()) == []
-    window.close()
-
-
-@pytest.mark.landing
-def test_a_check_goes_on_after_motors_that_were_cut_and_came_back_between_two_pictures(
-    open_window, qtbot, short_task, database
-):
-    play = open_play(short_task, "plant")
-    window = open_window(play)
-    check = window.attendance.admission.check
-    arms, build = [], play.build_device
-    play.build_device = lambda hand: arms.append(build(hand)) or arms[-1]
-    click(window.over.who.guest)
-    click(window.over.consent.agree)
-    qtbot.waitUntil(lambda: check._frames > 20, timeout=PATIENCE)
-    arms[-1].press_stop(True)  # no picture is drawn meanwhile
-    since = time.monotonic()
-    while check.run.report().fault is not palpate.DeviceFault.motors_cut:
-        assert time.monotonic() - since < 1e-3 * PATIENCE
-        time.sleep(1e-3)
-    arms[-1].press_stop(False)
-    time.sleep(0.5)
-    qtbot.waitUntil(lambda: check.check is None or check.check.stage is not Stage.still,
-                    timeout=PATIENCE)  # fmt: skip
-    window.close()
 
 
 def test_who_returns_to_the_cards_needs_two_clicks_and_keys_do_as_well(
