@@ -47,7 +47,9 @@ def follow(
     safe, least = palpate.SafeDevice(palpate.ScriptedDevice(frames)), 0.0
     world, dt = palpate.World(scene), 1.0 / scene.rate
     for tick in range(round((WAIT + times.end) * scene.rate)):
-        safe.write(palpate.tick(scene, safe.read(tick * dt), dt, world))
+        felt = palpate.tick(scene, safe.read(tick * dt), dt, world)
+        safe.set_tool(world.instruments[0].tool.position)
+        safe.write(felt)
         least = min(least, safe.given_energy())
     assert not world.alarm
     return safe, least

@@ -129,6 +129,7 @@ class Poking:
                 away = np.asarray(first.position) + ASIDE if trocar is None else trocar
                 sample.position = away
             felt = palpate.tick(scene, [first, *others], dt, world)
+            safe.set_tool(world.instruments[0].tool.position)
             safe.write(felt[0])
             if world.alarm:
                 break

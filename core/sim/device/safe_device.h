@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "palpate/sim/device/device.h"
 
@@ -88,6 +89,12 @@ class SafeDevice : public HapticDevice {
   /// Ramp and slew go by the `time` given here, whatever clock the device may have.
   HapticSample read(double time) noexcept override;
   void write(const HapticCommand& command) noexcept override;
+  /// [m] Where the tool is that the force of the next command draws the hand to; until this is
+  /// told, at the hand. By it is judged how much of what the hand put in it may get back. A place
+  /// that is not finite is passed over.
+  void set_tool(const Vec3& position) noexcept {
+    if (position.allFinite()) tool_ = position;
+  }
   void end() noexcept override { device_.end(); }
   /// A zero force at once, past the slew limit; the next command fades in as the first one did.
   void rest(double seconds = 0.0) noexcept override;
@@ -122,6 +129,7 @@ class SafeDevice : public HapticDevice {
 
  private:
   void follow_hand(double time) noexcept;
+  double find_returned(const Vec3& hand) noexcept;
   void judge(const HapticSample& sample) noexcept;
   void credit_holding(const Vec3& force) noexcept;
   bool may_send(const Vec3& force) noexcept;
@@ -136,7 +144,10 @@ class SafeDevice : public HapticDevice {
   DeviceDynamics dynamics_;
   HapticSample last_sample_;
   Vec3 last_move_ = Vec3::Zero();  ///< [m] of the hand between the last two reads
-  Vec3 untouched_ = Vec3::Zero();  ///< [m] where the hand was when it last was sent nothing
+  std::optional<Vec3> tool_;       ///< [m] of the command that was sent last
+  Vec3 last_tool_ = Vec3::Zero();  ///< [m] of the one before
+  Vec3 untouched_ = Vec3::Zero();  ///< [m] where the tool was when the hand last was sent nothing
+  double pressed_ = 0.0;           ///< [m] that it was moved against the force since
   HapticCommand sent_;
   bool has_sample_ = false;
   double now_ = 0.0;         ///< [s] of the last read

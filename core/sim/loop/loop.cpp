@@ -177,7 +177,10 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   } else {
     tick(scene, samples, dt, world, commands);
   }
-  for (std::size_t i = 0; i < channels.size(); ++i) channels[i]->safe().write(commands[i]);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    channels[i]->safe().set_tool(world.instruments[i].tool.position);
+    channels[i]->safe().write(commands[i]);
+  }
   spent = read_clock() - begun;
 
   if (skipped > 0) tell(number, EventKind::missed_ticks, static_cast<std::int32_t>(skipped));
