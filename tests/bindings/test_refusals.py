@@ -16,6 +16,8 @@ from english import say_in_turkish
 from hostile_scenarios import set_in, with_manifest
 from palpate import translation
 from palpate.files import file_kind
+from palpate.layout.document import Layout, LayoutError
+from palpate.layout.task import find_task
 from palpate.translation.refusals import CONTEXT, build_pattern, say_note, say_refusal
 from published import publish
 
@@ -134,6 +136,13 @@ def test_a_damaged_field_is_refused_in_turkish(turkish, published, tmp_path, pat
         palpate.scenario.read(tmp_path / "bad.palpate")
 
     assert said in say_in_turkish(str(refused.value))
+
+
+def test_a_layout_whose_task_is_damaged_is_refused_in_turkish(turkish):
+    with pytest.raises(LayoutError) as refused:
+        find_task(Layout(assessment="{}"))
+
+    assert "bulunan: değerlendirme yok; beklenen: " in say_in_turkish(str(refused.value))
 
 
 def test_a_port_that_is_not_there_is_said_in_turkish(turkish):

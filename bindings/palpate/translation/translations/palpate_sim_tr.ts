@@ -3444,6 +3444,14 @@
         <translation>dokunun hiçbir sabitine ait olmayan bir dizi</translation>
     </message>
     <message>
+        <source>JSON that says palpate_scenario, as `palpate scenario new` writes it</source>
+        <translation>palpate_scenario diyen bir JSON, `palpate scenario new` komutunun yazdığı gibi</translation>
+    </message>
+    <message>
+        <source>no assessment</source>
+        <translation>değerlendirme yok</translation>
+    </message>
+    <message>
         <source>an object that says palpate_scenario</source>
         <translation>palpate_scenario diyen bir nesne</translation>
     </message>
