@@ -92,6 +92,13 @@ Quaternion point_through(const Vec3& trocar, const Quaternion& hand,
   return swing * take_roll(hand);
 }
 
+/// A turn by `wanted` [rad] about the axis on which tissue turns the tool with `torque` [N m], in a
+/// tick in which none is more than `most`: against it the slower the nearer that is to `borne`, and
+/// with it beyond [stability: what tissue bears].
+double yield_to(double torque, double borne, double most, double wanted) noexcept {
+  return std::max(wanted, std::clamp(most * (torque / borne - 1.0), -most, most));
+}
+
 /// [m] No farther from the position is a point of a capsule, however far jaws are open.
 double bound_reach(const Tool& tool, const Vec3& point) noexcept {
   if (!tool.jaws) return point.norm();
@@ -100,7 +107,7 @@ double bound_reach(const Tool& tool, const Vec3& point) noexcept {
 
 }  // namespace
 
-void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt,
+void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt, double bearable,
                ToolState& state) noexcept {
   const Tool& tool = instrument.tool;
   if (tool.capsules.empty()) return;
@@ -122,6 +129,19 @@ void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt,
   const double angle = before.angularDistance(wanted);
   state.orientation = wanted;
   if (angle > most) state.orientation = before.slerp(most / angle, wanted).normalized();
+  if (!std::isfinite(bearable)) return;
+  // about its shaft where that is led through a trocar, else about any axis
+  const Vec3 shaft = state.orientation * Vec3::UnitZ();
+  const Vec3 torque = instrument.trocar ? Vec3(state.torque.dot(shaft) * shaft) : state.torque;
+  const double size = torque.norm();
+  if (!(size > 0.0)) return;
+  const Vec3 axis = torque / size;
+  const Eigen::AngleAxisd turned(state.orientation * before.conjugate());
+  const double about = turned.angle() * turned.axis().dot(axis);
+  const double may = yield_to(size, bearable * reach, kFastestTurn * dt, about);
+  if (may == about) return;
+  state.orientation =
+      (Quaternion(Eigen::AngleAxisd(may - about, axis)) * state.orientation).normalized();
 }
 
 }  // namespace palpate

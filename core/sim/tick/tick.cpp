@@ -102,7 +102,7 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
   limit_hand(scene, i, dt, world);
   Stopwatch watch(world.measures_costs);
   if (!was_placed) state.tool.position = motion.hand;
-  turn_tool(instrument, sample.orientation, dt, state.tool);
+  turn_tool(instrument, sample.orientation, dt, motion.bearable, state.tool);
   follow_jaws(scene, i, sample, dt, world);
   if (place_among_bodies(motion.hand, instrument.tool, world, state.tool)) {
     watch.add_to(world.costs.instruments[i].read);

@@ -2,9 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/tick/press_scene.h"
+#include "palpate/sim/tick/private/world_internals.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/flicks.h"
 
@@ -75,4 +77,40 @@ TEST_CASE("a tip at its trocar is turned no further") {
   CHECK(world.instruments[0].tool.position.isApprox(
       kTrocar + Vec3(1e-3 * std::sin(19), 1e-3 * std::cos(19), 0)));
   CHECK(before.angularDistance(world.instruments[0].tool.orientation) < 0.2);
+}
+
+TEST_CASE("where tissue bears no more, an instrument turns against it the slower, and gives way") {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  constexpr double kDt = 1e-3, kMost = 3.0 * kDt;  // [rad] in a tick
+  constexpr double kBearable = 0.1;                // [N], 2 mN m about the far end at 20 mm
+  const Vec3 tip(0.0, 0.0, 0.05);
+  for (const bool with_trocar : {false, true}) {
+    CAPTURE(with_trocar);
+    Instrument instrument = make_scene(with_trocar).instruments[0];
+    ToolState state;
+    state.position = tip;
+    turn_tool(instrument, Quaternion::Identity(), kDt, kNone, state);
+    state.placed = true;
+    const Quaternion start = state.orientation;
+    const Vec3 shaft = start * Vec3::UnitZ();
+    // [rad] by which a hand that has rolled by 0.5 rad turns it against so much of `torque` [N m]
+    const auto turn = [&](double torque, double bearable) {
+      ToolState turned = state;
+      turned.torque = -torque * shaft;
+      const Quaternion hand(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));
+      turn_tool(instrument, hand, kDt, bearable, turned);
+      const Eigen::AngleAxisd by(turned.orientation * start.conjugate());
+      CHECK(by.axis().cross(shaft).norm() * by.angle() < 1e-9);
+      return by.angle() * by.axis().dot(shaft);
+    };
+    const double free = turn(0.0, kNone);
+    CHECK(free > kMost);
+    CHECK(turn(0.0, kBearable) == free);
+    CHECK(turn(1e-3, kNone) == free);
+    CHECK(turn(1e-3, kBearable) == doctest::Approx(0.5 * kMost).epsilon(1e-6));
+    CHECK(turn(2e-3, kBearable) == doctest::Approx(0.0).scale(kMost).epsilon(1e-6));
+    CHECK(turn(3e-3, kBearable) == doctest::Approx(-0.5 * kMost).epsilon(1e-6));
+    CHECK(turn(9e-3, kBearable) == doctest::Approx(-kMost).epsilon(1e-6));
+    CHECK(turn(-1e-3, kBearable) == doctest::Approx(free));
+  }
 }

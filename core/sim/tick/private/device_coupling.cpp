@@ -83,6 +83,10 @@ constexpr double kAhead = 2.0;
 /// again: in a narrow crease what jaws held went up and down by 0.5 N, six times a second.
 constexpr double kFall = 100.0, kRise = 10.0, kRisePushed = 0.1;
 
+/// [1/s] How fast it falls where a volume shrinks so that the run would end within as many ticks:
+/// what is drawn through a rim gives way in no more.
+constexpr double kFallAtEnd = 300.0, kEnd = 5.0;
+
 /// [-] Of the limit: a hand that feels less has eased.
 constexpr double kHasEased = 0.95;
 
@@ -100,6 +104,12 @@ double measure_reserve(const SoftBody& body, const SoftState& state) noexcept {
   const double strain = (stretch.longest - 1.0) / find_strain_limit(body.tissue);
   return std::min(
       {volume / kBorne, stretch.shortest / kBorne, (1.0 - strain) / (1.0 - kBorneStrain)});
+}
+
+/// Whether a volume is about to collapse.
+bool collapses(const SoftState& state) noexcept {
+  const double now = state.stretch.smallest_volume, shrinks = now - internals(state).volume_before;
+  return shrinks < 0.0 && now + kEnd * shrinks < kSmallestVolume;
 }
 
 /// Whether an instrument pushed a body, or a rigid one that touches it, as the last tick ended.
@@ -171,9 +181,11 @@ void limit_hand(const Scene& scene, std::size_t instrument, double dt, World& wo
     return;
   }
   double reserve = kNone;
+  bool ends = false;
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     if (find_response(world.bodies[b]) || !pushes(scene, instrument, b, world)) continue;
     reserve = std::min(reserve, measure_reserve(scene.bodies[b], world.bodies[b]));
+    ends = ends || collapses(world.bodies[b]);
   }
   const double most = scene.instruments[instrument].coupling.force_max;
   if (motion.bearable == kNone) {
@@ -181,7 +193,7 @@ void limit_hand(const Scene& scene, std::size_t instrument, double dt, World& wo
     motion.bearable = force;
   }
   const double rise = force < kHasEased * motion.bearable ? kRise : kRisePushed;
-  const double rate = std::clamp(kFall * (reserve - 1.0), -kFall, rise);
+  const double rate = ends ? -kFallAtEnd : std::clamp(kFall * (reserve - 1.0), -kFall, rise);
   motion.bearable = std::max(motion.bearable * (1.0 + rate * dt), kLeast * most);
   if (!(motion.bearable < most)) motion.bearable = kNone;
 }

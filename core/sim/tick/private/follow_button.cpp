@@ -46,11 +46,16 @@ int count_ticks(double time, double dt) noexcept {
   return std::max(1, static_cast<int>(std::lround(time / dt)));
 }
 
+/// [-] The smallest volume after a time [s], as fast as it shrinks.
+double foresee_volume(double time, double dt, const SoftState& state) noexcept {
+  const double now = state.stretch.smallest_volume;
+  return now + std::min(0.0, now - internals(state).volume_before) * (time / dt);
+}
+
 /// Whether a volume, as fast as it shrinks, would be near an alarm before a grip has let go of half
 /// its load: at 3 m/s one of a kidney loses a tenth of what it is at rest in every tick.
 bool nears_alarm(double dt, const SoftState& state) noexcept {
-  const double now = state.stretch.smallest_volume, before = internals(state).volume_before;
-  return now + 0.5 * (now - before) * count_ticks(kAlarmReleaseTime, dt) < kSmallestHeld;
+  return foresee_volume(0.5 * kAlarmReleaseTime, dt, state) < kSmallestHeld;
 }
 
 /// In how many ticks a grip of what is near an alarm is to let go; 0 for one that need not. A
@@ -174,6 +179,10 @@ constexpr double kOpeningChange = 0.01;
 /// and at which jaws open instead.
 constexpr double kYield = 0.9, kLeastGrip = 0.02;
 
+/// The same where a volume shrinks so fast that the run would end before a grip has let go: what
+/// jaws close on may be gone in ten ticks.
+constexpr double kYieldFast = 0.7;
+
 /// Of the way that jaws open: a hand that is so wide has opened.
 constexpr double kOpen = 0.9;
 
@@ -187,17 +196,27 @@ double find_goal(const Jaws& jaws, const HapticSample& sample) noexcept {
   return std::clamp(jaws.open - sample.grip, 0.0, jaws.open);
 }
 
-bool strains(const Scene& scene, const World& world, const ToolState& tool) noexcept {
+/// The part of their closing force that jaws keep in this tick; 1 where all they hold can bear it.
+double find_kept_grip(const Scene& scene, double dt, const World& world,
+                      const ToolState& tool) noexcept {
   int checked = -1;
+  double kept = 1.0;
   for (int k = 0; k < tool.anchor_count; ++k) {
     const int body = tool.anchors[static_cast<std::size_t>(k)].body;
     if (body == checked) continue;
     checked = body;
     const auto b = static_cast<std::size_t>(body);
     if (b >= world.bodies.size()) continue;  // what is hard bears all
-    if (is_near_alarm(scene.bodies[b], world.bodies[b])) return true;
+    const SoftState& state = world.bodies[b];
+    const bool moves = !find_response(state);
+    if (is_near_alarm(scene.bodies[b], state) || (moves && nears_alarm(dt, state))) {
+      kept = std::min(kept, kYield);
+    }
+    if (moves && foresee_volume(kAlarmReleaseTime, dt, state) < kSmallestVolume) {
+      kept = std::min(kept, kYieldFast);
+    }
   }
-  return false;
+  return kept;
 }
 
 void turn_toward(double goal, double dt, ToolState& tool) noexcept {
@@ -263,9 +282,9 @@ bool is_opening(double goal, const InstrumentState& state) noexcept {
 
 /// Tissue that could not bear more makes the jaws yield, for good until the hand opens; where even
 /// jaws that hardly close strain it, they open.
-void yield(const Tool& tool, InstrumentState& state) noexcept {
+void yield(const Tool& tool, double kept, InstrumentState& state) noexcept {
   ToolState& jaws = state.tool;
-  jaws.grip_limit *= kYield;
+  jaws.grip_limit *= kept;
   if (jaws.grip_limit < kLeastGrip * tool.jaws->grip) state.opens = true;
 }
 
@@ -287,7 +306,8 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
     state.opens = false;
     if (state.release_ticks == 0 && !jaws.touching) jaws.grip_limit = tool.jaws->grip;
   }
-  if (strains(scene, world, jaws)) yield(tool, state);
+  const double kept = find_kept_grip(scene, dt, world, jaws);
+  if (kept < 1.0) yield(tool, kept, state);
   if (state.opens) goal = tool.jaws->open;
   const double closed = std::max(jaws.jaw_wanted, jaws.jaw_angle - kGripRise);
   if (goal > closed) {

@@ -194,8 +194,9 @@ inline const ResponseKernel* find_response(const SoftState& body) noexcept {
 }
 
 /// Turns a tool of capsules as its hand is turned, or about its trocar; a ball has no directions.
-/// One that touches does not follow at once [contact: capsules].
-void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt,
+/// One that touches does not follow at once [contact: capsules], and one whose hand tissue limits
+/// to `bearable` [N] turns against it with no more than that has about its far end.
+void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt, double bearable,
                ToolState& state) noexcept;
 
 /// [m] Of the tips of all instruments.
