@@ -33,8 +33,8 @@ around a vertex of it would go at 42 m/s with all of that."""
 DEEPEST = 1e-4
 """[m] What is stopped at 10 m/s may be that deep for some substeps, a fifth of a barrier."""
 THICKNESS = 5e-4
-"""[m] Of the barriers. Edge against edge is not looked at, and an edge of 6 mm over a ridge may go
-0.13 mm into it where all vertices keep 0.4 mm apart."""
+"""[m] Of the barriers. Edge against edge is not looked at, and an edge of 6 mm may go 0.43 mm over
+a ridge where vertices and middles of edges keep apart."""
 SHORT_BORDER = 12
 """[-] Edges of a border that a lid closes."""
 

@@ -31,9 +31,11 @@ struct Moving {
 
 Moving measure(const VertexContact& contact, int vertex, const TouchingSurface& vertices,
                const TouchingSurface& triangles) noexcept {
-  const auto v = static_cast<std::size_t>(vertex);
-  Moving moving{vertices.touch.inverse_mass[v],
-                find_velocity(vertices, vertex).dot(contact.normal)};
+  Moving moving;
+  vertices.for_each_of(vertex, [&](int v, double w) noexcept {
+    moving.inverse_mass += w * w * vertices.touch.inverse_mass[static_cast<std::size_t>(v)];
+    moving.speed += w * find_velocity(vertices, v).dot(contact.normal);
+  });
   const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
   for (int c = 0; c < 3; ++c) {
     const int corner = corners[static_cast<std::size_t>(c)];
@@ -48,7 +50,7 @@ Moving measure(const VertexContact& contact, int vertex, const TouchingSurface& 
 /// An impulse j [N s] on the vertex, and -j on the triangle.
 void add_impulse(const VertexContact& contact, int vertex, const Vec3& j,
                  const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
-  vertices.add_impulse(vertex, j);
+  vertices.for_each_of(vertex, [&](int v, double w) noexcept { vertices.add_impulse(v, w * j); });
   const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
   for (int c = 0; c < 3; ++c) {
     const double w = contact.weights[c];
@@ -59,7 +61,8 @@ void add_impulse(const VertexContact& contact, int vertex, const Vec3& j,
 /// Likewise a force.
 void add_force(const VertexContact& contact, int vertex, const Vec3& force,
                const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
-  add_force_on(vertices, vertex, force);
+  vertices.for_each_of(vertex,
+                       [&](int v, double w) noexcept { add_force_on(vertices, v, w * force); });
   const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
   for (int c = 0; c < 3; ++c) {
     const double w = contact.weights[c];
@@ -179,7 +182,10 @@ ContactNeed accumulate_stiffness(double dt, const TouchingSurface& vertices,
     if (!(contact.gap - dt * closes < contacts.barrier.thickness)) continue;
     need.approach = std::max(need.approach, closes);
     const double slope = bound_slope(contacts, contact.gap - dt * closes, contacts.area[v]);
-    vertices.touch.row[v] += 2.0 * slope * vertices.touch.inverse_mass[v];
+    vertices.for_each_of(vertex, [&](int of, double w) noexcept {
+      const auto row = static_cast<std::size_t>(of);
+      vertices.touch.row[row] += 2.0 * slope * w * vertices.touch.inverse_mass[row];
+    });
     const Triangle& corners =
         triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
     for (int c = 0; c < 3; ++c) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
@@ -131,21 +132,28 @@ SurfaceContacts::SurfaceContacts(const TissueModel& vertices, const TissueModel&
 
 SurfaceContacts::SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh& triangles,
                                  const Barrier& barrier_in, bool same_in)
+    : SurfaceContacts(compute_vertex_areas(vertices), triangles, barrier_in) {
+  same = same_in;
+  if (!same) return;
+  exclude_rings(triangles.triangles, area.size(), *this);
+  std::ranges::fill(side, 0);
+}
+
+SurfaceContacts::SurfaceContacts(std::vector<double> areas, const SurfaceMesh& triangles,
+                                 const Barrier& barrier_in)
     : barrier(barrier_in),
-      same(same_in),
       closed(is_closed(triangles.triangles)),
-      area(compute_vertex_areas(vertices)),
+      area(std::move(areas)),
       on_border(mark_border(triangles.triangles, triangles.vertices.size())),
       found(triangles.triangles.size()) {
   const std::size_t count = area.size();
-  if (same) exclude_rings(triangles.triangles, count, *this);
   listed_until.assign(count, 0.0);
   listed.assign(count, {});
   listed_count.assign(count, 0);
   near_until.assign(count, 0.0);
   near.assign(count, {});
   near_count.assign(count, 0);
-  side.assign(count, closed && !same ? 1 : 0);
+  side.assign(count, closed ? 1 : 0);
   active.assign(count, 0);
   contact.assign(count, {});
   far_until.assign(count, 0.0);

@@ -43,6 +43,8 @@ struct SurfaceContacts {
                   const Barrier& barrier);
   SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh& triangles, const Barrier& barrier,
                   bool same = false);
+  /// Of points with these areas [m²], which are no vertices of the triangles.
+  SurfaceContacts(std::vector<double> areas, const SurfaceMesh& triangles, const Barrier& barrier);
 
   // what never changes
   Barrier barrier;

@@ -60,15 +60,23 @@ void write_load(SurfaceTouch& touch) noexcept;
 /// A surface as it stands in a substep.
 struct TouchingSurface {
   const TissueModel& tissue;
-  std::span<const Vec3> x;         ///< [m] of the vertices
+  std::span<const Vec3> x;         ///< [m] of the vertices, or of the middles of `edges`
   std::span<const Vec3> velocity;  ///< [m/s] of the particles
   SurfaceTouch& touch;             ///< what contacts do to it
+  std::span<const std::array<int, 2>> edges = {};  ///< ends; where there are none, its vertices
 
   /// [m/s] With what impulses have done to it.
   Vec3 velocity_of(int vertex) const noexcept;
   void add_force(int vertex, const Vec3& force) const noexcept;
   /// An impulse [N s].
   void add_impulse(int vertex, const Vec3& impulse) const noexcept;
+
+  /// Calls visit(vertex, weight) for what a point of `x` follows: a vertex, or the ends of an edge.
+  template <class Visit>
+  void for_each_of(int point, Visit visit) const noexcept {
+    if (edges.empty()) return visit(point, 1.0);
+    for (const int end : edges[static_cast<std::size_t>(point)]) visit(end, 0.5);
+  }
 };
 
 }  // namespace palpate

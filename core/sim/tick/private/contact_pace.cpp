@@ -91,18 +91,29 @@ void find_pair(const Scene& scene, std::size_t p, double next, World& world) noe
   Travel travel = foretell(contacts, next, world);
   for (std::size_t k = 0; k < contacts.side_count; ++k) {
     SurfaceContacts& side = contacts.sides[k];
+    EdgePoints& edges = contacts.edges[k];
     if (!world.body_pairs[p].near) {
-      side.begun = false;
-      side.active_count = 0;
+      for (SurfaceContacts* apart : {&side, &edges.contacts}) {
+        apart->begun = false;
+        apart->active_count = 0;
+      }
       continue;
     }
     const SoftState &first = world.bodies[bodies[k]], &second = world.bodies[bodies[1 - k]];
+    const Vec3Array& before = work.touched[bodies[1 - k]].before;
     travel.behind = work.touched[bodies[1 - k]].behind;
-    renew_lists(surface_position(first), second.tree, surface_position(second), travel, side);
-    find_near(surface_position(first), scene.bodies[bodies[1 - k]].tissue.triangles,
-              surface_position(second), side,
-              {work.touched[bodies[k]].before, work.touched[bodies[1 - k]].before});
-    if (side.active_count == 0 && !work.pace.within) continue;
+    const auto find = [&](std::span<const Vec3> x, std::span<const Vec3> x_before,
+                          SurfaceContacts& of) noexcept {
+      renew_lists(x, second.tree, surface_position(second), travel, of);
+      find_near(x, scene.bodies[bodies[1 - k]].tissue.triangles, surface_position(second), of,
+                {x_before, before});
+    };
+    find(surface_position(first), work.touched[bodies[k]].before, side);
+    if (!edges.ends.empty()) {
+      follow(surface_position(first), work.touched[bodies[k]].before, edges);
+      find(edges.x, edges.before, edges.contacts);
+    }
+    if (side.active_count + edges.contacts.active_count == 0 && !work.pace.within) continue;
     for (const std::size_t b : bodies) work.touched[b].is_touched = true;
   }
 }
@@ -130,12 +141,18 @@ void find_need(const Scene& scene, double dt, World& world) noexcept {
     BodyContacts& contacts = work.contacts[p];
     const auto& bodies = contacts.bodies;
     for (std::size_t k = 0; k < contacts.side_count; ++k) {
-      SurfaceContacts& side = contacts.sides[k];
-      if (side.active_count == 0) continue;
-      const ContactNeed need =
-          accumulate_stiffness(dt, view_surface(scene, bodies[k], world),
-                               view_surface(scene, bodies[1 - k], world), side);
-      ask_for_approach(need.approach * dt, contacts, world);
+      const auto ask = [&](const TouchingSurface& points, SurfaceContacts& side) noexcept {
+        const ContactNeed need =
+            accumulate_stiffness(dt, points, view_surface(scene, bodies[1 - k], world), side);
+        ask_for_approach(need.approach * dt, contacts, world);
+      };
+      if (contacts.sides[k].active_count > 0) {
+        ask(view_surface(scene, bodies[k], world), contacts.sides[k]);
+      }
+      EdgePoints& edges = contacts.edges[k];
+      if (edges.contacts.active_count > 0) {
+        ask(view_edges(scene, bodies[k], edges, world), edges.contacts);
+      }
     }
     watch.add_to(world.costs.body_pairs[p].candidates);
   }

@@ -119,10 +119,17 @@ void build_body_contacts(const Scene& scene, World& world) {
     BodyContacts& contacts = work.contacts[p];
     contacts.bodies = bodies;
     contacts.side_count = bodies[0] == bodies[1] ? 1 : 2;
+    const auto at_rest = [&](std::size_t body) {
+      const TissueModel& tissue = scene.bodies[body].tissue;
+      return SurfaceMesh{compute_surface(tissue, tissue.rest_position), tissue.triangles};
+    };
+    const std::array meshes = {at_rest(bodies[0]), at_rest(bodies[1])};
     for (std::size_t k = 0; k < contacts.side_count; ++k) {
       const TissueModel& tissue = scene.bodies[bodies[k]].tissue;
-      contacts.sides[k] = SurfaceContacts(tissue, scene.bodies[bodies[1 - k]].tissue,
-                                          bodies[0] == bodies[1], barrier);
+      contacts.sides[k] =
+          SurfaceContacts(meshes[k], meshes[1 - k], barrier, bodies[0] == bodies[1]);
+      if (contacts.side_count == 2)
+        contacts.edges[k] = EdgePoints(meshes[k], meshes[1 - k], barrier);
       SurfaceTouch& touch = work.touched[bodies[k]];
       if (touch.corner.empty()) touch = SurfaceTouch(tissue);
     }
@@ -184,13 +191,20 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
     double energy = 0.0;
     pair.touching = 0;
     for (std::size_t k = 0; k < contacts.side_count; ++k) {
-      if (contacts.sides[k].active_count == 0) continue;
-      const ContactSum sum =
-          push_contacts(dt, view_surface(scene, bodies[k], world),
-                        view_surface(scene, bodies[1 - k], world), contacts.sides[k], s == 0);
       const double towards_second = contacts.side_count == 1 ? 0.0 : k == 0 ? 1.0 : -1.0;
-      note(sum, towards_second, pair);
-      energy += sum.energy;
+      const auto push = [&](const TouchingSurface& points, SurfaceContacts& side) noexcept {
+        const ContactSum sum =
+            push_contacts(dt, points, view_surface(scene, bodies[1 - k], world), side, s == 0);
+        note(sum, towards_second, pair);
+        energy += sum.energy;
+      };
+      if (contacts.sides[k].active_count > 0) {
+        push(view_surface(scene, bodies[k], world), contacts.sides[k]);
+      }
+      EdgePoints& edges = contacts.edges[k];
+      if (edges.contacts.active_count > 0) {
+        push(view_edges(scene, bodies[k], edges, world), edges.contacts);
+      }
     }
     if (s == 0) contacts.stored_energy = energy;
     watch.add_to(world.costs.body_pairs[p].contact);

@@ -30,6 +30,16 @@ inline TouchingSurface view_surface(const Scene& scene, std::size_t body, World&
           workspace(world).touched[body]};
 }
 
+/// The middles of its long edges that may touch the other of a pair, likewise.
+inline TouchingSurface view_edges(const Scene& scene, std::size_t body, EdgePoints& points,
+                                  World& world) noexcept {
+  TouchingSurface view = view_surface(scene, body, world);
+  follow_active(view.x, points);
+  view.x = points.x;
+  view.edges = points.ends;
+  return view;
+}
+
 /// Notes that no vertex of a body has gone farther than by `way` [m] in a step.
 void add_way(std::size_t body, double way, World& world) noexcept;
 
@@ -55,17 +65,26 @@ void for_each_touched_vertex(const Scene& scene, std::size_t body, World& world,
   for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
     const BodyContacts& contacts = workspace(world).contacts[p];
     const auto& bodies = contacts.bodies;
+    const auto visit_near = [&](const SurfaceContacts& side, int vertex) {
+      const auto v = static_cast<std::size_t>(vertex);
+      for (std::size_t n = 0; n < side.near_count[v]; ++n) {
+        for (const int corner : scene.bodies[body].tissue.triangles[side.near[v][n]]) {
+          visit(corner);
+        }
+      }
+    };
     for (std::size_t k = 0; k < contacts.side_count; ++k) {
       const SurfaceContacts& side = contacts.sides[k];
       for (const int vertex : side.active_in_use()) {
         if (bodies[k] == body) visit(vertex);
-        if (bodies[1 - k] != body) continue;
-        const auto v = static_cast<std::size_t>(vertex);
-        for (std::size_t n = 0; n < side.near_count[v]; ++n) {
-          for (const int corner : scene.bodies[body].tissue.triangles[side.near[v][n]]) {
-            visit(corner);
-          }
+        if (bodies[1 - k] == body) visit_near(side, vertex);
+      }
+      const EdgePoints& points = contacts.edges[k];
+      for (const int edge : points.contacts.active_in_use()) {
+        if (bodies[k] == body) {
+          for (const int end : points.ends[static_cast<std::size_t>(edge)]) visit(end);
         }
+        if (bodies[1 - k] == body) visit_near(points.contacts, edge);
       }
     }
   }

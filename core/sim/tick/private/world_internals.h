@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "palpate/sim/collision/private/surface_contacts.h"
+#include "palpate/sim/collision/private/edge_points.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/dynamics/step.h"
 #include "palpate/sim/model/private/mean_load.h"
@@ -242,6 +242,7 @@ struct BodyContacts {
   std::array<std::size_t, 2> bodies = {};  ///< of World::bodies; never change
   std::array<SurfaceContacts, 2> sides;  ///< vertices of the first on the second, and of it on that
   std::size_t side_count = 0;            ///< 1 of a body with itself
+  std::array<EdgePoints, 2> edges;       ///< likewise middles of long edges; none with itself
   double apart = 0.0;          ///< [m] beyond the thickness, where they are not near (meet_bodies)
   double stored_energy = 0.0;  ///< [J] in the barrier, at the first substep (touch_bodies)
 };
