@@ -3917,9 +3917,12 @@ class SafeDevice(HapticDevice):
     def __init__(self, device: HapticDevice, limits: SafetyLimits = ...) -> None:
         """Raises ValueError for limits that are not positive."""
     def set_tool(self, position: ArrayLike) -> None:
-        """[m] (3,) Where the tool is that the force of the next command draws the hand to;
-        until this is told, at the hand. By it is judged how much of what the hand put in it
-        may get back. A place that is not finite is passed over.
+        """Where the tool is that the force of the next command draws the hand to; until this is
+        told, at the hand. By it is judged how much of what the hand put in it may get back.
+        A place that is not finite is passed over.
+
+        Args:
+            position: [m] shape (3,).
         """
     def rest(self, seconds: float = ...) -> None:
         """A zero force at once, past the slew limit; the next command fades in as the first one

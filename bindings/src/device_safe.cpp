@@ -178,9 +178,10 @@ void bind_safe_device(py::module_& m) {
       .def(py::init<HapticDevice&, const SafetyLimits&>(), "device"_a, "limits"_a = SafetyLimits{},
            py::keep_alive<1, 2>(), "Raises ValueError for limits that are not positive.")
       .def("set_tool", &SafeDevice::set_tool, "position"_a,
-           "[m] (3,) Where the tool is that the force of the next command draws the hand to; until "
-           "this is told, at the hand. By it is judged how much of what the hand put in it may get "
-           "back. A place that is not finite is passed over.")
+           "Where the tool is that the force of the next command draws the hand to; until this is "
+           "told, at the hand. By it is judged how much of what the hand put in it may get back. A "
+           "place that is not finite is passed over.\n\nArgs:\n"
+           "    position: [m] shape (3,).")
       .def("rest", &SafeDevice::rest, "seconds"_a = 0.0,
            "A zero force at once, past the slew limit; the next command fades in as the first one "
            "did. So many [s] have passed in a pause.")

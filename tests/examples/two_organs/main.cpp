@@ -82,7 +82,8 @@ Pressed press(const Scene& scene) {
   const double top = 3.0 * kRadius + kGap + scene.instruments[0].tool.radius;
   for (int i = 0; i < 600; ++i) {
     hand.time = i * kTick;
-    hand.position = {0.0, 0.0, top + 1e-3 - 9e-3 * std::min(1.0, i / 400.0)};
+    // 6 mm: pressed farther, the springs of the upper one buckle over the lower one
+    hand.position = {0.0, 0.0, top + 1e-3 - 7e-3 * std::min(1.0, i / 400.0)};
     tick(scene, {&hand, 1}, kTick, world, {&command, 1});
     felt.alarm = felt.alarm || world.alarm;
     if (!world.body_pairs.empty()) {

@@ -106,10 +106,10 @@ double measure_reserve(const SoftBody& body, const SoftState& state) noexcept {
       {volume / kBorne, stretch.shortest / kBorne, (1.0 - strain) / (1.0 - kBorneStrain)});
 }
 
-/// Whether a volume is about to collapse.
+/// Whether a volume that has no reserve left is about to collapse.
 bool collapses(const SoftState& state) noexcept {
   const double now = state.stretch.smallest_volume, shrinks = now - internals(state).volume_before;
-  return shrinks < 0.0 && now + kEnd * shrinks < kSmallestVolume;
+  return now < kBorne && shrinks < 0.0 && now + kEnd * shrinks < kSmallestVolume;
 }
 
 /// Whether an instrument pushed a body, or a rigid one that touches it, as the last tick ended.
