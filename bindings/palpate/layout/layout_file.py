@@ -14,7 +14,7 @@ from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
 from palpate.layout.document import FORMAT, VERSION, History, Layout
 from palpate.layout.stone import FEWEST, MOST
-from palpate.layout.task import NO_TASK, TASK, parse_task
+from palpate.layout.task import require_task
 from palpate.scene.instrument_kinds import KINDS
 
 MOST_BYTES = 16 * 2**20
@@ -113,8 +113,7 @@ def require_sound(path: Path, layout: Layout) -> None:
             raise Refusal(path, "tools[0].kind", repr(tool.kind), f"one of {', '.join(KINDS)}")
         if len(tool.trocar) not in (0, 3):
             raise Refusal(path, "tools[0].trocar", f"{len(tool.trocar)} numbers", "3, or none")
-    if layout.assessment and parse_task(layout.assessment) is None:
-        raise Refusal(path, "assessment", NO_TASK, TASK)
+    require_task(path, layout.assessment)
     bodies = {body.name for body in layout.bodies}
     known: list[set[str]] = []
     for index, pair in enumerate(layout.pairs):

@@ -7,6 +7,7 @@ import json
 from dataclasses import replace
 
 from palpate.assessment.author import Json, make_ids, new_assessment, without_muted
+from palpate.files.refusal import Refusal
 from palpate.layout.document import Layout, LayoutError
 
 NO_TASK = "no assessment"
@@ -30,6 +31,12 @@ def parse_task(text: str) -> Json | None:
     except (ValueError, RecursionError):
         return None
     return task if isinstance(task, dict) and "palpate_scenario" in task else None
+
+
+def require_task(path: object, text: str) -> None:
+    """Raises Refusal for what a file has in place of an assessment, or of none."""
+    if text and parse_task(text) is None:
+        raise Refusal(path, "assessment", NO_TASK, TASK)
 
 
 def set_task(layout: Layout, task: Json | None) -> Layout:
