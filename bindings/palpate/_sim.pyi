@@ -3564,7 +3564,7 @@ class BodyPairState:
         """Some of their surfaces may come to touch."""
     @property
     def touching(self) -> int:
-        """Vertices within the thickness, in the last substep."""
+        """Vertices and middles of long edges within the thickness, in the last substep."""
     @property
     def least_gap(self) -> float:
         """[m] between the surfaces where they were nearest in the last tick, below 0 inside of

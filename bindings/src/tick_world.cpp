@@ -121,7 +121,7 @@ void bind_body_pair_state(py::module_& m) {
   pair.def(py::init<>());
   pair.def_readonly("near", &BodyPairState::near, "Some of their surfaces may come to touch.")
       .def_readonly("touching", &BodyPairState::touching,
-                    "Vertices within the thickness, in the last substep.")
+                    "Vertices and middles of long edges within the thickness, in the last substep.")
       .def_readonly("least_gap", &BodyPairState::least_gap,
                     "[m] between the surfaces where they were nearest in the last tick, below 0 "
                     "inside of each other; infinite where nothing was within the thickness.");

@@ -123,13 +123,6 @@ void list_vertex(std::size_t v, const Vec3& p, const AabbTree& tree, std::span<c
 
 }  // namespace
 
-SurfaceContacts::SurfaceContacts(const TissueModel& vertices, const TissueModel& triangles,
-                                 bool same_in, const Barrier& barrier_in)
-    : SurfaceContacts(
-          SurfaceMesh{compute_surface(vertices, vertices.rest_position), vertices.triangles},
-          SurfaceMesh{compute_surface(triangles, triangles.rest_position), triangles.triangles},
-          barrier_in, same_in) {}
-
 SurfaceContacts::SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh& triangles,
                                  const Barrier& barrier_in, bool same_in)
     : SurfaceContacts(compute_vertex_areas(vertices), triangles, barrier_in) {

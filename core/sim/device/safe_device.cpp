@@ -78,7 +78,7 @@ HapticSample SafeDevice::read(double time) noexcept {
 ///
 /// What it put in while something was felt is forgotten once nothing is, so a long stroking of
 /// tissue, which swallows energy, does not hide what comes after it; and meanwhile as far as it is
-/// more than the force can give back (`find_returned`).
+/// more than the force can give back (`follow_tool`).
 void SafeDevice::follow_hand(double time) noexcept {
   pause_ = std::clamp(time - now_, 0.0, kLongestGap);
   now_ = time;
@@ -95,7 +95,7 @@ void SafeDevice::follow_hand(double time) noexcept {
     last_move_ = sample.position - last_sample_.position;
     given_energy_ += sent_.force.dot(last_move_);
     if (sent_.force.isZero(0.0)) given_energy_ = std::max(given_energy_, 0.0);
-    const double kept = std::clamp(-given_energy_, 0.0, find_returned(sample.position));
+    const double kept = std::clamp(-given_energy_, 0.0, follow_tool(sample.position));
     given_energy_ -= (given_energy_ + kept) * std::min(1.0, pause_ / kEnergyTime);
   }
   warmth_ += (sent_.force.squaredNorm() - warmth_) * std::min(1.0, pause_ / limits_.heat_time);
@@ -103,15 +103,16 @@ void SafeDevice::follow_hand(double time) noexcept {
   has_sample_ = true;
 }
 
-/// [J] that the force f can give a hand at x back at most, of whatever gets harder, or no softer,
-/// the deeper it is pressed: of what draws the hand to its tool, at p, f . (p - x), however far it
-/// was led round a body that holds the tool; and |f| d of what the tool is pressed d into, which is
+/// Follows the tool; [J] that the force f can give a hand at x back at most, of whatever gets
+/// harder, or no softer, the deeper it is pressed: of what draws the hand to its tool, at p, f . (p
+/// - x), however far it was led round a body that holds the tool; and |f| d of what the tool is
+/// pressed d into, which is
 ///
 ///     d_k = d_{k-1} - f/|f| . (p_k - p_{k-1}),
 ///
 /// of its way against the force, no less than 0 and no more than from where nothing was felt last:
 /// so a stroke to and fro makes it no deeper than it is long.
-double SafeDevice::find_returned(const Vec3& hand) noexcept {
+double SafeDevice::follow_tool(const Vec3& hand) noexcept {
   const Vec3 tool = tool_.value_or(hand);
   const Vec3 moved = tool - last_tool_;
   last_tool_ = tool;

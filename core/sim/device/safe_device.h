@@ -129,7 +129,7 @@ class SafeDevice : public HapticDevice {
 
  private:
   void follow_hand(double time) noexcept;
-  double find_returned(const Vec3& hand) noexcept;
+  double follow_tool(const Vec3& hand) noexcept;
   void judge(const HapticSample& sample) noexcept;
   void credit_holding(const Vec3& force) noexcept;
   bool may_send(const Vec3& force) noexcept;

@@ -130,7 +130,8 @@ struct ContactPair {
 /// How two bodies of a running scene touch, after every tick.
 struct BodyPairState {
   bool near = false;  ///< some of their surfaces may come to touch (meet_bodies)
-  int touching = 0;   ///< vertices within the thickness, in the last substep (touch_bodies)
+  int touching =
+      0;  ///< vertices and middles of edges that touch, in the last substep (touch_bodies)
   /// [m] between the surfaces where they were nearest in the last tick, below 0 inside of each
   /// other; infinite where nothing was within the thickness (touch_bodies)
   double least_gap = std::numeric_limits<double>::infinity();

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/collision/moved_surface.h"
 #include "palpate/sim/collision/private/edge_points.h"
-#include "palpate/sim/mesh/topology.h"
-#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tree/queries.h"
-#include "scenes/scenes.h"
 
 // The middles of long edges over the triangles of another surface [contact: bodies].
 
@@ -18,27 +16,12 @@ namespace {
 
 constexpr Barrier kBarrier{4e-4, 5e6, 0.0};
 
-struct Moved {
-  explicit Moved(int subdivisions)
-      : tissue(build_mass_spring(scenes::make_ellipsoid({0.030, 0.025, 0.020}, subdivisions),
-                                 {.wall_thickness = 0.003}, 100.0)),
-        x(tissue.rest_position),
-        velocity(x.size(), Vec3::Zero()),
-        tree(x, tissue.triangles),
-        touch(tissue) {}
-
-  SurfaceMesh mesh() const { return {tissue.rest_position, tissue.triangles}; }
-  TouchingSurface view() { return {tissue, x, velocity, touch}; }
-
-  TissueModel tissue;
-  Vec3Array x, velocity;
-  AabbTree tree;
-  SurfaceTouch touch;
-};
-
 /// A ball whose edges of up to 16 mm meet one of fine triangles, `into` it [m].
 struct Pressed {
-  explicit Pressed(double into) : lower(3), upper(1), points(upper.mesh(), lower.mesh(), kBarrier) {
+  explicit Pressed(double into)
+      : lower(make_ball(3)),
+        upper(make_ball(1)),
+        points(surface_of(upper.tissue), surface_of(lower.tissue), kBarrier) {
     move_to(0.06);
     move_to(0.06 - measure_gap() - into);
     renew_lists(points.x, lower.tree, lower.x, 0.0, points.contacts);
@@ -46,10 +29,8 @@ struct Pressed {
   }
 
   void move_to(double height) {
-    const Quaternion turn(Eigen::AngleAxisd(0.4, Vec3(1.0, 2.0, 0.5).normalized()));
-    for (std::size_t v = 0; v < upper.x.size(); ++v) {
-      upper.x[v] = Vec3(0.0, 0.0, height) + turn * upper.tissue.rest_position[v];
-    }
+    upper.move_to({0.0, 0.0, height},
+                  Quaternion(Eigen::AngleAxisd(0.4, Vec3(1.0, 2.0, 0.5).normalized())));
     follow(upper.x, upper.x, points);
   }
   double measure_gap() {
@@ -123,44 +104,18 @@ TEST_CASE("middles of edges push with opposite forces and moments") {
   Pressed pressed(3e-4);
   for (Vec3& v : pressed.upper.velocity) v = {0.02, 0.01, -0.1};
   push_contacts(1e-4, pressed.view(), pressed.lower.view(), pressed.points.contacts);
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), momentum = Vec3::Zero();
-  double whole = 0.0;
-  for (Moved* surface : {&pressed.upper, &pressed.lower}) {
-    for (std::size_t v = 0; v < surface->x.size(); ++v) {
-      force += surface->touch.force[v];
-      moment += surface->x[v].cross(surface->touch.force[v]);
-      momentum += surface->touch.impulse[v] / surface->touch.inverse_mass[v];
-      whole += surface->touch.force[v].norm();
-    }
-  }
-  REQUIRE(whole > 0.0);
-  CHECK(force.norm() < 1e-12 * whole);
-  CHECK(moment.norm() < 1e-12 * whole);
-  CHECK(momentum.norm() < 1e-12 * whole);
+  const Done done = sum_done(pressed.lower, pressed.upper);
+  REQUIRE(done.whole > 0.0);
+  CHECK(done.force.norm() < 1e-12 * done.whole);
+  CHECK(done.moment.norm() < 1e-12 * done.whole);
+  CHECK(done.momentum.norm() < 1e-12 * done.whole);
 }
 
 TEST_CASE("what middles of edges push with is minus the gradient of the barrier's energy") {
   Pressed pressed(1e-4);
   push_contacts(1e-4, pressed.view(), pressed.lower.view(), pressed.points.contacts);
-  constexpr double kStep = 1e-9;  // [m]
-  int checked = 0;
-  for (Moved* surface : {&pressed.upper, &pressed.lower}) {
-    for (const int vertex : surface->touch.pushed) {
-      const auto v = static_cast<std::size_t>(vertex);
-      for (int axis = 0; axis < 3; ++axis) {
-        const double at = surface->x[v][axis];
-        surface->x[v][axis] = at + kStep;
-        const double more = pressed.sum_energy();
-        surface->x[v][axis] = at - kStep;
-        const double less = pressed.sum_energy();
-        surface->x[v][axis] = at;
-        CHECK((less - more) / (2.0 * kStep) ==
-              doctest::Approx(surface->touch.force[v][axis]).epsilon(1e-4).scale(1e-2));
-        ++checked;
-      }
-    }
-  }
-  CHECK(checked >= 15);
+  const auto sum_energy = [&] { return pressed.sum_energy(); };
+  CHECK(check_gradient(pressed.upper, pressed.lower, sum_energy) >= 15);
 }
 
 TEST_CASE("what a middle asks of the steps is that of its ends") {

@@ -7,21 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "core/collision/moved_surface.h"
 #include "palpate/sim/collision/private/nearest.h"
 #include "palpate/sim/collision/private/surface_contacts.h"
-#include "palpate/sim/model/build_surface.h"
-#include "scenes/scenes.h"
 
 using namespace palpate;
 
 namespace {
 
 constexpr Barrier kBarrier{4e-4, 5e6, 0.3};
-
-TissueModel make_ball() {
-  return build_mass_spring(scenes::make_ellipsoid({0.030, 0.025, 0.020}, 3),
-                           {.wall_thickness = 0.003}, 100.0);
-}
 
 /// The nearest of a list and where, one triangle after the other.
 int find_plainly(const Vec3& p, std::span<const int> list, std::span<const Triangle> triangles,
@@ -43,12 +37,12 @@ int find_plainly(const Vec3& p, std::span<const int> list, std::span<const Trian
 /// Two balls, the upper one's lowest vertices `apart` [m] over the lower one.
 struct Facing {
   explicit Facing(double apart)
-      : lower(make_ball()),
-        upper(make_ball()),
+      : lower(make_ball(3)),
+        upper(make_ball(3)),
         x_lower(lower.rest_position),
         x_upper(upper.rest_position),
         tree(x_lower, lower.triangles),
-        contacts(upper, lower, false, kBarrier) {
+        contacts(surface_of(upper), surface_of(lower), kBarrier) {
     for (Vec3& x : x_upper) x.z() += 0.04 + apart;
     renew_lists(x_upper, tree, x_lower, 0.0, contacts);
     find_near(x_upper, lower.triangles, x_lower, contacts);

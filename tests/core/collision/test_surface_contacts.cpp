@@ -6,42 +6,15 @@
 #include <numbers>
 #include <vector>
 
+#include "core/collision/moved_surface.h"
 #include "palpate/sim/collision/private/surface_contacts.h"
-#include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tree/queries.h"
-#include "scenes/scenes.h"
 
 using namespace palpate;
 
 namespace {
 
 constexpr Barrier kBarrier{4e-4, 5e6, 0.3};
-
-TissueModel make_ball(int subdivisions = 2) {
-  return build_mass_spring(scenes::make_ellipsoid({0.030, 0.025, 0.020}, subdivisions),
-                           {.wall_thickness = 0.003}, 100.0);
-}
-
-/// A surface that a test moves.
-struct Moved {
-  explicit Moved(const TissueModel& model)
-      : tissue(model),
-        x(model.rest_position),
-        velocity(x.size(), Vec3::Zero()),
-        tree(x, model.triangles),
-        touch(model) {}
-
-  void move_to(const Vec3& offset, const Quaternion& turn = Quaternion::Identity()) {
-    for (std::size_t v = 0; v < x.size(); ++v) x[v] = offset + turn * tissue.rest_position[v];
-    tree.refit(x);
-  }
-  TouchingSurface view() { return {tissue, x, velocity, touch}; }
-
-  TissueModel tissue;
-  Vec3Array x, velocity;
-  AabbTree tree;
-  SurfaceTouch touch;
-};
 
 /// [m] From a vertex to the nearest of all triangles.
 double measure(const Vec3& p, const Moved& other) {
@@ -74,7 +47,7 @@ struct Pressed {
   explicit Pressed(double into, const Barrier& barrier = kBarrier)
       : lower(make_ball(3)),
         upper(make_ball(3)),
-        contacts(upper.tissue, lower.tissue, false, barrier) {
+        contacts(surface_of(upper.tissue), surface_of(lower.tissue), barrier) {
     const Quaternion turn(Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 0.5).normalized()));
     upper.move_to({0.0, 0.0, 0.06}, turn);
     const double gap = measure_gap();
@@ -109,7 +82,7 @@ double find_gap_speed(Pressed& pressed, int vertex, const VertexContact& contact
 
 TEST_CASE("S3: on any path, lists hold all that brute force finds within the thickness") {
   Moved ball(make_ball(3)), other(make_ball(2));
-  SurfaceContacts contacts(ball.tissue, other.tissue, false, kBarrier);
+  SurfaceContacts contacts(surface_of(ball.tissue), surface_of(other.tissue), kBarrier);
   Vec3Array last;
   long within = 0, looked_at = 0;
   for (int i = 0; i < 400; ++i) {
@@ -165,43 +138,18 @@ TEST_CASE("S4: two surfaces push each other with opposite forces and moments") {
         push_contacts(1e-4, pressed.upper.view(), pressed.lower.view(), pressed.contacts);
     REQUIRE(sum.touching > 0);
     CHECK(sum.force.z() < 0.0);
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    double whole = 0.0;
-    for (Moved* surface : {&pressed.upper, &pressed.lower}) {
-      for (std::size_t v = 0; v < surface->x.size(); ++v) {
-        force += surface->touch.force[v];
-        moment += surface->x[v].cross(surface->touch.force[v]);
-        whole += surface->touch.force[v].norm();
-      }
-    }
-    CHECK(force.norm() < 1e-12 * whole);
+    const Done done = sum_done(pressed.upper, pressed.lower);
+    CHECK(done.force.norm() < 1e-12 * done.whole);
     // a vertex is pushed along the line to its nearest point
-    CHECK(moment.norm() < 1e-12 * whole);
+    CHECK(done.moment.norm() < 1e-12 * done.whole);
   }
 }
 
 TEST_CASE("what contacts push with is minus the gradient of the barrier's energy") {
   Pressed pressed(1e-4, {4e-4, 5e6, 0.0});
   push_contacts(1e-4, pressed.upper.view(), pressed.lower.view(), pressed.contacts);
-  constexpr double kStep = 1e-9;  // [m]
-  int checked = 0;
-  for (Moved* surface : {&pressed.upper, &pressed.lower}) {
-    for (const int vertex : surface->touch.pushed) {
-      const auto v = static_cast<std::size_t>(vertex);
-      for (int axis = 0; axis < 3; ++axis) {
-        const double at = surface->x[v][axis];
-        surface->x[v][axis] = at + kStep;
-        const double more = sum_energy(pressed.contacts, pressed.upper, pressed.lower);
-        surface->x[v][axis] = at - kStep;
-        const double less = sum_energy(pressed.contacts, pressed.upper, pressed.lower);
-        surface->x[v][axis] = at;
-        CHECK((less - more) / (2.0 * kStep) ==
-              doctest::Approx(surface->touch.force[v][axis]).epsilon(1e-4).scale(1e-2));
-        ++checked;
-      }
-    }
-  }
-  CHECK(checked > 20);
+  const auto energy = [&] { return sum_energy(pressed.contacts, pressed.upper, pressed.lower); };
+  CHECK(check_gradient(pressed.upper, pressed.lower, energy) > 20);
 }
 
 TEST_CASE("nearer than a tenth of the thickness approach is stopped, and nothing is thrown back") {
@@ -253,7 +201,7 @@ TEST_CASE("what would pass the floor within a step is slowed down to reach it, n
 TEST_CASE("a surface has no contact with what is next to it, and has with what folds onto it") {
   const TissueModel ball = make_ball(3);
   Moved surface(ball);
-  SurfaceContacts contacts(ball, ball, true, kBarrier);
+  SurfaceContacts contacts(surface_of(ball), surface_of(ball), kBarrier, true);
   renew_lists(surface.x, surface.tree, surface.x, 0.0, contacts);
   find_near(surface.x, ball.triangles, surface.x, contacts);
   CHECK(contacts.active_count == 0);
@@ -273,7 +221,7 @@ TEST_CASE("a surface has no contact with what is next to it, and has with what f
   const ContactSum folded = count();
   CHECK(folded.touching > 0);
   CHECK(folded.least_gap == doctest::Approx(3e-4).epsilon(0.05));
-  contacts = SurfaceContacts(ball, ball, true, kBarrier);
+  contacts = SurfaceContacts(surface_of(ball), surface_of(ball), kBarrier, true);
   // flattened: the halves are nearer than the thickness, but face away from each other
   for (std::size_t v = 0; v < surface.x.size(); ++v) {
     surface.x[v] = ball.rest_position[v];
@@ -290,7 +238,7 @@ TEST_CASE("an open surface pushes to the side that a vertex came from, and not o
   const TissueModel ball = make_ball(2);
   Moved flat(model), moving(ball);
   for (const double side : {1.0, -1.0}) {
-    SurfaceContacts contacts(ball, model, false, kBarrier);
+    SurfaceContacts contacts(surface_of(ball), surface_of(model), kBarrier);
     // a vertex 0.2 mm before the sheet, one as far behind it, and one beside it
     const auto place = [&](double height) {
       for (Vec3& x : moving.x) x = {0.0, 0.0, 1.0};
@@ -325,7 +273,7 @@ TEST_CASE("a vertex that comes to another fold of a sheet has not come through i
   const TissueModel model = build_mass_spring(folds, {.wall_thickness = 0.003}, 100.0);
   const TissueModel ball = make_ball(2);
   Moved sheet(model), moving(ball);
-  SurfaceContacts contacts(ball, model, false, kBarrier);
+  SurfaceContacts contacts(surface_of(ball), surface_of(model), kBarrier);
   Vec3Array last;
   const auto go = [&](double height) {
     last = moving.x;

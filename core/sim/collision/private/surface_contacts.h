@@ -39,8 +39,6 @@ struct SurfaceContacts {
 
   SurfaceContacts() = default;
   /// `triangles` of the second surface; `same` where it is the first as well.
-  SurfaceContacts(const TissueModel& vertices, const TissueModel& triangles, bool same,
-                  const Barrier& barrier);
   SurfaceContacts(const SurfaceMesh& vertices, const SurfaceMesh& triangles, const Barrier& barrier,
                   bool same = false);
   /// Of points with these areas [m²], which are no vertices of the triangles.

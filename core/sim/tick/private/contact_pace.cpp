@@ -146,13 +146,7 @@ void find_need(const Scene& scene, double dt, World& world) noexcept {
             accumulate_stiffness(dt, points, view_surface(scene, bodies[1 - k], world), side);
         ask_for_approach(need.approach * dt, contacts, world);
       };
-      if (contacts.sides[k].active_count > 0) {
-        ask(view_surface(scene, bodies[k], world), contacts.sides[k]);
-      }
-      EdgePoints& edges = contacts.edges[k];
-      if (edges.contacts.active_count > 0) {
-        ask(view_edges(scene, bodies[k], edges, world), edges.contacts);
-      }
+      for_each_side(scene, contacts, k, world, ask);
     }
     watch.add_to(world.costs.body_pairs[p].candidates);
   }

@@ -99,8 +99,7 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 /// 0 or less at the alarm's own limits or not far from them, more than 1 where it may.
 double measure_reserve(const SoftBody& body, const SoftState& state) noexcept {
   const Stretch& stretch = state.stretch;
-  const double shrinks = stretch.smallest_volume - internals(state).volume_before;
-  const double volume = stretch.smallest_volume + kAhead * std::min(0.0, shrinks);
+  const double volume = foresee_volume(kAhead, state);
   const double strain = (stretch.longest - 1.0) / find_strain_limit(body.tissue);
   return std::min(
       {volume / kBorne, stretch.shortest / kBorne, (1.0 - strain) / (1.0 - kBorneStrain)});
@@ -108,8 +107,8 @@ double measure_reserve(const SoftBody& body, const SoftState& state) noexcept {
 
 /// Whether a volume that has no reserve left is about to collapse.
 bool collapses(const SoftState& state) noexcept {
-  const double now = state.stretch.smallest_volume, shrinks = now - internals(state).volume_before;
-  return now < kBorne && shrinks < 0.0 && now + kEnd * shrinks < kSmallestVolume;
+  const double now = state.stretch.smallest_volume, then = foresee_volume(kEnd, state);
+  return now < kBorne && then < now && then < kSmallestVolume;
 }
 
 /// Whether an instrument pushed a body, or a rigid one that touches it, as the last tick ended.

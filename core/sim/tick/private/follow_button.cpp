@@ -46,16 +46,10 @@ int count_ticks(double time, double dt) noexcept {
   return std::max(1, static_cast<int>(std::lround(time / dt)));
 }
 
-/// [-] The smallest volume after a time [s], as fast as it shrinks.
-double foresee_volume(double time, double dt, const SoftState& state) noexcept {
-  const double now = state.stretch.smallest_volume;
-  return now + std::min(0.0, now - internals(state).volume_before) * (time / dt);
-}
-
 /// Whether a volume, as fast as it shrinks, would be near an alarm before a grip has let go of half
 /// its load: at 3 m/s one of a kidney loses a tenth of what it is at rest in every tick.
 bool nears_alarm(double dt, const SoftState& state) noexcept {
-  return foresee_volume(0.5 * kAlarmReleaseTime, dt, state) < kSmallestHeld;
+  return foresee_volume(0.5 * kAlarmReleaseTime / dt, state) < kSmallestHeld;
 }
 
 /// In how many ticks a grip of what is near an alarm is to let go; 0 for one that need not. A
@@ -212,7 +206,7 @@ double find_kept_grip(const Scene& scene, double dt, const World& world,
     if (is_near_alarm(scene.bodies[b], state) || (moves && nears_alarm(dt, state))) {
       kept = std::min(kept, kYield);
     }
-    if (moves && foresee_volume(kAlarmReleaseTime, dt, state) < kSmallestVolume) {
+    if (moves && foresee_volume(kAlarmReleaseTime / dt, state) < kSmallestVolume) {
       kept = std::min(kept, kYieldFast);
     }
   }

@@ -198,13 +198,7 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
         note(sum, towards_second, pair);
         energy += sum.energy;
       };
-      if (contacts.sides[k].active_count > 0) {
-        push(view_surface(scene, bodies[k], world), contacts.sides[k]);
-      }
-      EdgePoints& edges = contacts.edges[k];
-      if (edges.contacts.active_count > 0) {
-        push(view_edges(scene, bodies[k], edges, world), edges.contacts);
-      }
+      for_each_side(scene, contacts, k, world, push);
     }
     if (s == 0) contacts.stored_energy = energy;
     watch.add_to(world.costs.body_pairs[p].contact);

@@ -40,6 +40,20 @@ inline TouchingSurface view_edges(const Scene& scene, std::size_t body, EdgePoin
   return view;
 }
 
+/// Calls visit(points, contacts) for the vertices of a body of a pair, and for the middles of its
+/// long edges, where any may touch the other.
+template <class Visit>
+void for_each_side(const Scene& scene, BodyContacts& contacts, std::size_t k, World& world,
+                   Visit visit) {
+  const std::size_t body = contacts.bodies[k];
+  SurfaceContacts& side = contacts.sides[k];
+  if (side.active_count > 0) visit(view_surface(scene, body, world), side);
+  EdgePoints& edges = contacts.edges[k];
+  if (edges.contacts.active_count > 0) {
+    visit(view_edges(scene, body, edges, world), edges.contacts);
+  }
+}
+
 /// Notes that no vertex of a body has gone farther than by `way` [m] in a step.
 void add_way(std::size_t body, double way, World& world) noexcept;
 

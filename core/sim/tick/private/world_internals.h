@@ -193,6 +193,12 @@ inline const ResponseKernel* find_response(const SoftState& body) noexcept {
   return std::get_if<ResponseKernel>(&internals(body).kernel);
 }
 
+/// [-] The smallest volume so many ticks on, as fast as it shrinks.
+inline double foresee_volume(double ticks, const SoftState& state) noexcept {
+  const double now = state.stretch.smallest_volume;
+  return now + std::min(0.0, now - internals(state).volume_before) * ticks;
+}
+
 /// Turns a tool of capsules as its hand is turned, or about its trocar; a ball has no directions.
 /// One that touches does not follow at once [contact: capsules], and one whose hand tissue limits
 /// to `bearable` [N] turns against it with no more than that has about its far end.
