@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -14,6 +13,7 @@ import numpy as np
 import palpate
 from palpate import scenario
 from palpate.command.verb import Report
+from palpate.files.refusal import split_sentence
 from palpate.scene.nearest import find_step
 from palpate.scene.scene_file import build_material
 from palpate.scene.scene_parts import FILLED, ModelPart
@@ -262,8 +262,7 @@ def keep_first_tool(scene: palpate.Scene) -> palpate.Scene:
 
 def split_refusal(sentence: str) -> tuple[str, str, str]:
     """Where, found and expected of a refusal of the library."""
-    parts = re.fullmatch(r"(.*?):? *\bgot (.*), expected (.*)", sentence, re.DOTALL)
-    return parts.groups() if parts else ("model", sentence, "a tissue that can be built")
+    return split_sentence(sentence) or ("model", sentence, "a tissue that can be built")
 
 
 def find_coupling_range(organ: Organ) -> tuple[float, float] | None:

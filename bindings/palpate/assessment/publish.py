@@ -16,7 +16,7 @@ from palpate.assessment.author import make_ids, without_muted
 from palpate.assessment.inclusion import gather_constants
 from palpate.assessment.instruments import shape_tools
 from palpate.files.read_file import read_file
-from palpate.files.refusal import Refusal
+from palpate.files.refusal import Refusal, split_sentence
 
 MOST_BYTES = 4 * 2**20
 
@@ -155,10 +155,10 @@ def take_attempt(
 
 def refuse(file: object, sentence: str) -> Refusal:
     """A sentence of the library, "where: got this, expected that", as a Refusal of a file."""
-    where, _, rest = sentence.partition(": got ")
-    got, _, expected = rest.rpartition(", expected ")
-    if not expected:
+    parts = split_sentence(sentence)
+    if parts is None:
         return Refusal(file, "", sentence, "an assessment that can be judged")
+    where, got, expected = parts
     where = where.replace("manifest.json: content.assessment", "").lstrip(".")
     return Refusal(file, where, got, expected)
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import sys
 from dataclasses import asdict
 from pathlib import Path
@@ -12,12 +11,12 @@ from pathlib import Path
 from palpate.command.output import add_output_folder
 from palpate.command.verb import Report, Verb, WrongCall, quantity
 from palpate.files.file_kind import MULTIRATE, PICTURE, SVG
-from palpate.files.refusal import Refusal
+from palpate.files.refusal import Refusal, split_sentence
 from palpate.runs.press import find_top
 from palpate.runs.run import PUBLISHED, read_scene, require_one_instrument
 
-OF_SCENE = re.compile("slow tissue: (.+?): got (.+?), expected (.+)")
-"""What a scene has that cannot tick more slowly than the hand."""
+OF_SCENE = "slow tissue: "
+"""So begins what is said of a scene that cannot tick more slowly than the hand."""
 
 
 def add_multirate(parser: argparse.ArgumentParser) -> None:
@@ -69,8 +68,9 @@ def run_multirate(call: argparse.Namespace) -> Report:
         chart = draw_chart(call.file, scene, way, call.exchange_rate or RATES, tell)
     except ValueError as problem:
         sentence = str(problem)
-        if found := OF_SCENE.fullmatch(sentence):
-            raise Refusal(call.file, *found.groups()) from None
+        parts = split_sentence(sentence.removeprefix(OF_SCENE))
+        if sentence.startswith(OF_SCENE) and parts is not None:
+            raise Refusal(call.file, *parts) from None
         raise WrongCall(f"{call.file}: {sentence}") from None
     if call.out is not None:
         # loads matplotlib, which the table does without
