@@ -114,21 +114,13 @@ void release_tool(ToolState& state) noexcept {
   state.carried.setZero();
 }
 
-namespace {
-
-/// Spreads k w over the corners of a triangle and returns the largest sum / mass so far.
-double add_row_sums(const Triangle& t, const Vec3& weights, double stiffness,
-                    std::span<const double> mass, std::span<double> sums) noexcept {
-  double largest = 0.0;
+void ContactRows::add(const Triangle& t, const Vec3& weights, double stiffness) noexcept {
   for (std::size_t c = 0; c < 3; ++c) {
     const auto i = static_cast<std::size_t>(t[c]);
     sums[i] += stiffness * weights[static_cast<Eigen::Index>(c)];
     largest = std::max(largest, sums[i] / mass[i]);
   }
-  return largest;
 }
-
-}  // namespace
 
 /// By Gershgorin the eigenvalues of M⁻¹K are at most its largest row sum. A contact of slope k at
 /// the barycentric weights w adds k w_i w_j n n^T to the blocks (i, j), and the weights sum to 1:
@@ -136,84 +128,28 @@ double add_row_sums(const Triangle& t, const Vec3& weights, double stiffness,
 /// mu f along d, makes of n n^T the block (n + mu d) n^T of the norm sqrt(1 + mu²); friction that
 /// sticks hangs the hand's spring K on all points together, each with its share s of the tool's
 /// motion: K s w_i.
-double bound_shape_stiffness(const Shape& shape, bool with_holds, const Candidates& candidates,
-                             std::span<const Triangle> triangles, std::span<const Vec3> x,
-                             std::span<const double> mass, const ToolState& state,
-                             std::span<double> scratch, int body, const NearField* near,
-                             double coupling) noexcept {
-  const std::span<const int> touchable(candidates.triangles.data(),
-                                       static_cast<std::size_t>(candidates.count));
-  const Tool& tool = shape.tool;
-  const auto in_use = [&](const auto& rows, int count) noexcept {
-    return std::span(rows).first(with_holds ? static_cast<std::size_t>(count) : 0);
+void add_shape_rows(const Shape& shape, bool with_holds, const TouchableSurface& surface,
+                    const ToolState& state, double coupling, ContactRows& rows) noexcept {
+  const double sliding = std::sqrt(1.0 + shape.tool.friction * shape.tool.friction);
+  const auto add = [&](int t, const Vec3& weights, double stiffness) noexcept {
+    rows.add(surface.triangles[static_cast<std::size_t>(t)], weights, stiffness);
   };
-  const auto holds = in_use(state.holds, state.hold_count);
-  const auto patch = in_use(state.patch, state.patch_count);
-  const auto anchors = in_use(state.anchors, state.anchor_count);
-  const double sliding = std::sqrt(1.0 + tool.friction * tool.friction);
-  const auto triangle = [&](int t) noexcept -> const Triangle& {
-    return triangles[static_cast<std::size_t>(t)];
+  for_each_slope(shape, surface, state, [&](int t, const Vec3& weights, double slope) noexcept {
+    add(t, weights, sliding * slope);
+  });
+  if (!with_holds) return;
+  const auto in_use = [](const auto& held, int count) noexcept {
+    return std::span(held).first(static_cast<std::size_t>(count));
   };
-  const auto corner = [&](const Triangle& t, std::size_t c) noexcept -> const Vec3& {
-    return x[static_cast<std::size_t>(t[c])];
-  };
-  for (const int t : touchable) {
-    for (const int i : triangle(t)) scratch[static_cast<std::size_t>(i)] = 0.0;
+  for (const ToolState::Hold& hold : in_use(state.holds, state.hold_count)) {
+    if (hold.body == surface.body) add(hold.triangle, hold.weights, hold.stiffness);
   }
-  for (const ToolState::Hold& hold : holds) {
-    if (hold.body != body) continue;
-    for (const int i : triangle(hold.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
+  for (const ToolState::PatchPoint& point : in_use(state.patch, state.patch_count)) {
+    if (point.body == surface.body) add(point.triangle, point.weights, coupling * point.share);
   }
-  for (const ToolState::PatchPoint& point : patch) {
-    if (point.body != body) continue;
-    for (const int i : triangle(point.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
+  for (const ToolState::Anchor& anchor : in_use(state.anchors, state.anchor_count)) {
+    if (anchor.body == surface.body) add(anchor.triangle, anchor.weights, anchor.stiffness);
   }
-  for (const ToolState::Anchor& anchor : anchors) {
-    if (anchor.body != body) continue;
-    for (const int i : triangle(anchor.triangle)) scratch[static_cast<std::size_t>(i)] = 0.0;
-  }
-  double largest = 0.0;
-  // what balance_tool has found where the tool and the tissue still are
-  const Vec3 at =
-      near ? Vec3(state.position + find_lift(candidates.near, state.position)) : state.position;
-  const bool is_found = near && candidates.near.found && candidates.near.centre == at;
-  for (std::size_t i = 0; is_found && i < static_cast<std::size_t>(candidates.near.count); ++i) {
-    const Contact& found = candidates.near.contact[i];
-    const double slope = bound_slope(tool, candidates.near.closest[i], found);
-    largest = std::max(largest, add_row_sums(triangle(candidates.near.triangle[i]), found.weights,
-                                             sliding * slope, mass, scratch));
-  }
-  Contact contact;
-  for (std::size_t i = 0; !is_found && i < touchable.size(); ++i) {
-    const Triangle& t = triangle(touchable[i]);
-    const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
-    const Openness open = find_openness(candidates, touchable[i]);
-    if (!find_shape_contact(shape, candidates.areas[i], at, a, b, c, contact, open)) continue;
-    if (near) {
-      const NearGain gain{candidates.near.gain, candidates.near.stiffening};
-      const Contact closest = contact;
-      find_near_contact(*near, shape, closest, at, open.side, a, b, c, gain, contact);
-      contact.stiffness = bound_slope(tool, closest, contact);
-    }
-    largest = std::max(
-        largest, add_row_sums(t, contact.weights, sliding * contact.stiffness, mass, scratch));
-  }
-  for (const ToolState::Hold& hold : holds) {
-    if (hold.body != body) continue;
-    largest = std::max(largest, add_row_sums(triangle(hold.triangle), hold.weights, hold.stiffness,
-                                             mass, scratch));
-  }
-  for (const ToolState::PatchPoint& point : patch) {
-    if (point.body != body) continue;
-    largest = std::max(largest, add_row_sums(triangle(point.triangle), point.weights,
-                                             coupling * point.share, mass, scratch));
-  }
-  for (const ToolState::Anchor& anchor : anchors) {
-    if (anchor.body != body) continue;
-    largest = std::max(largest, add_row_sums(triangle(anchor.triangle), anchor.weights,
-                                             anchor.stiffness, mass, scratch));
-  }
-  return largest;
 }
 
 double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
@@ -221,8 +157,12 @@ double bound_contact_stiffness(const Tool& tool, const Candidates& candidates,
                                std::span<const double> mass, const ToolState& state,
                                std::span<double> scratch, int body, const NearField* near,
                                double coupling) noexcept {
-  return bound_shape_stiffness({tool, Axes(tool, state.orientation)}, true, candidates, triangles,
-                               x, mass, state, scratch, body, near, coupling);
+  const TouchableSurface surface{candidates, triangles, x, near, body};
+  ContactRows rows{mass, scratch};
+  for_each_row(true, surface, state,
+               [&](int v) noexcept { scratch[static_cast<std::size_t>(v)] = 0.0; });
+  add_shape_rows({tool, Axes(tool, state.orientation)}, true, surface, state, coupling, rows);
+  return rows.largest;
 }
 
 }  // namespace palpate

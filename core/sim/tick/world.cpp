@@ -160,7 +160,7 @@ BodyInternals::BodyInternals(const Scene& scene, const SoftBody& body, const Sof
       chosen_stiffness(body.spectrum_stiffness),
       wanted_substeps(body.substeps),
       surface_mass(compute_surface_mass(body.tissue)),
-      // a number for each particle as well (bound_jaws_on_skin)
+      // a number for each particle as well (ParticleRows)
       vertex_scratch(std::max(count_surface(body), body.tissue.mass.size()), 0.0) {
   rest.copy.resize(2 * sizeof(Vec3) * state.tissue.position.size() +
                    sizeof(double) * state.tissue.internal.size());

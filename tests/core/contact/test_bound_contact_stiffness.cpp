@@ -2,9 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 
 #include "palpate/sim/contact/contact_law.h"
+#include "palpate/sim/contact/private/hold.h"
 #include "scenes/scenes.h"
 
 using namespace palpate;
@@ -39,8 +43,20 @@ struct Pressed {
     return bound_contact_stiffness(tool, candidates, mesh.triangles, mesh.vertices, mass, state,
                                    scratch);
   }
-  /// The largest eigenvalue of M⁻¹K with the tool standing still.
-  double exact() const {
+  /// The bound of as many tools as there are places, together.
+  double bound(std::span<const Vec3> places) {
+    std::ranges::fill(scratch, 0.0);
+    ContactRows rows{mass, scratch};
+    for (const Vec3& place : places) {
+      state.position = place;
+      const TouchableSurface surface{candidates, mesh.triangles, mesh.vertices, nullptr, 0};
+      add_shape_rows({tool, {}}, true, surface, state, 0.0, rows);
+    }
+    return rows.largest;
+  }
+  double exact() const { return exact({&state.position, 1}); }
+  /// The largest eigenvalue of M⁻¹K with tools at these places standing still.
+  double exact(std::span<const Vec3> places) const {
     const auto n = static_cast<Eigen::Index>(3 * mass.size());
     Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
     const auto add = [&](int t, const Vec3& w, const Mat3& block) {
@@ -52,12 +68,13 @@ struct Pressed {
         }
       }
     };
-    for (int t = 0; t < candidates.count; ++t) {
-      Contact contact;
-      if (find_contact(tool, 2e-6, state.position, corner(t, 0), corner(t, 1), corner(t, 2),
-                       contact)) {
-        add(t, contact.weights,
-            contact.stiffness * contact.direction * contact.direction.transpose());
+    for (const Vec3& place : places) {
+      for (int t = 0; t < candidates.count; ++t) {
+        Contact contact;
+        if (find_contact(tool, 2e-6, place, corner(t, 0), corner(t, 1), corner(t, 2), contact)) {
+          add(t, contact.weights,
+              contact.stiffness * contact.direction * contact.direction.transpose());
+        }
       }
     }
     for (int h = 0; h < state.hold_count; ++h) {
@@ -100,6 +117,26 @@ TEST_CASE("the bound on contact stiffness lies above the exact eigenvalue and no
     p.state.holds[static_cast<std::size_t>(h)] = {20 + h, {0.2, 0.3, 0.5}, 150.0, Vec3::Zero()};
   }
   CHECK(p.bound() >= p.exact());
+}
+
+TEST_CASE("tools that share no vertex ask for the larger of their bounds, others for a sum") {
+  Pressed p;
+  p.tool.radius = 0.002;
+  const std::array<Vec3, 2> apart = {Vec3(0.0008, 0.0008, 0.0015), Vec3(0.0092, 0.0092, 0.0010)};
+  const double first = p.bound({&apart[0], 1}), second = p.bound({&apart[1], 1});
+  REQUIRE(first > 0.0);
+  REQUIRE(second > first);
+  CHECK(p.bound(apart) == second);
+  CHECK(p.bound(apart) >= p.exact(apart));
+
+  // side by side, and from either side of the same place
+  const std::array<Vec3, 2> beside = {Vec3(0.0042, 0.0047, 0.0010), Vec3(0.0062, 0.0047, 0.0010)};
+  CHECK(p.bound(beside) > std::max(p.bound({&beside[0], 1}), p.bound({&beside[1], 1})));
+  CHECK(p.bound(beside) <= p.bound({&beside[0], 1}) + p.bound({&beside[1], 1}));
+  CHECK(p.bound(beside) >= p.exact(beside));
+  const std::array<Vec3, 2> same = {beside[0], beside[0]};
+  CHECK(p.bound(same) == doctest::Approx(2.0 * p.bound({&beside[0], 1})));
+  CHECK(p.bound(same) >= p.exact(same));
 }
 
 TEST_CASE("what touches nothing adds no stiffness") {

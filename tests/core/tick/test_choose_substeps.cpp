@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/tick/press_scene.h"
@@ -103,4 +104,43 @@ TEST_CASE("substeps that follow the stretch are the same in every run of the sam
   }
   CHECK(most > first.scene.bodies[0].substeps);
   CHECK(compute_hash(first.world) == compute_hash(second.world));
+}
+
+TEST_CASE("two hands far from each other ask for as many substeps as the one that asks for more") {
+  Scene two = press_scene();
+  two.instruments.push_back(two.instruments[0]);
+  two = build_scene(std::move(two));
+  World both(two), first(two), second(two);
+  HapticSample away;
+  away.position = {0, 0, 0.08};
+  for (int i = 0; i < 60; ++i) {
+    HapticSample one, other;
+    one.position = {0.012, 0.0, 0.0245 - 1e-4 * i};
+    other.position = {-0.012, 0.0, 0.0245 - 0.8e-4 * i};
+    std::array<HapticCommand, 2> felt;
+    tick(two, std::array{one, other}, 1e-3, both, felt);
+    tick(two, std::array{one, away}, 1e-3, first, felt);
+    tick(two, std::array{away, other}, 1e-3, second, felt);
+  }
+  const auto contact = [](const World& world) {
+    return internals(world.bodies[0]).contact_stiffness;
+  };
+  REQUIRE_FALSE(both.alarm);
+  REQUIRE(contact(second) > 0.0);
+  // the tissue that the other one presses is a little elsewhere
+  CHECK(contact(both) == doctest::Approx(std::max(contact(first), contact(second))).epsilon(0.05));
+  CHECK(contact(both) < 0.9 * (contact(first) + contact(second)));
+}
+
+TEST_CASE("what counts the stiffness of contacts leaves no numbers behind") {
+  // a stone, or jaws on a solid, would have counted them with their own
+  Scene scene = press_scene();
+  World world(scene);
+  for (int i = 0; i < 60; ++i) {
+    HapticSample hand;
+    hand.position = {0.001, 0.002, 0.0245 - 1e-4 * i};
+    tick(scene, hand, 1e-3, world);
+  }
+  REQUIRE(internals(world.bodies[0]).contact_stiffness > 0.0);
+  for (const double row : internals(world.bodies[0]).vertex_scratch) CHECK(row == 0.0);
 }

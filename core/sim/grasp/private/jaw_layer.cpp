@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/sim/contact/private/hold.h"
 #include "palpate/sim/grasp/private/jaws.h"
 
 namespace palpate {
@@ -109,14 +108,10 @@ Squeeze find_squeeze(const Tool& tool, const OpenJaws& jaws,
   return squeeze;
 }
 
-double bound_jaw_stiffness(const Tool& tool, int jaw, const Candidates& candidates,
-                           std::span<const Triangle> triangles, std::span<const Vec3> x,
-                           std::span<const double> mass, const ToolState& state,
-                           std::span<double> scratch, int body, const NearField* near,
-                           double coupling) noexcept {
+void add_jaw_rows(const Tool& tool, int jaw, const TouchableSurface& surface,
+                  const ToolState& state, double coupling, ContactRows& rows) noexcept {
   const OpenJaws jaws(tool, state.orientation, state.jaw_angle);
-  return bound_shape_stiffness(jaws.shape(jaw), jaw == 0, candidates, triangles, x, mass, state,
-                               scratch, body, near, coupling);
+  add_shape_rows(jaws.shape(jaw), jaw == 0, surface, state, coupling, rows);
 }
 
 }  // namespace palpate

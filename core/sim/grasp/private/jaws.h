@@ -6,6 +6,7 @@
 #include <span>
 
 #include "palpate/sim/contact/private/axes.h"
+#include "palpate/sim/contact/private/hold.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 
 namespace palpate {
@@ -150,18 +151,21 @@ Vec3 pull_anchors(const Tool& tool, const OpenJaws& jaws, std::span<const Touche
 Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
                   const JawSurfaces& surfaces, double dt, ToolState& state) noexcept;
 
-/// bound_contact_stiffness() of one jaw of an instrument; the anchors of both count with the first.
-double bound_jaw_stiffness(const Tool& tool, int jaw, const Candidates& candidates,
-                           std::span<const Triangle> triangles, std::span<const Vec3> x,
-                           std::span<const double> mass, const ToolState& state,
-                           std::span<double> scratch, int body, const NearField* near,
-                           double coupling) noexcept;
+/// add_shape_rows() of one jaw of an instrument; the anchors of both count with the first.
+void add_jaw_rows(const Tool& tool, int jaw, const TouchableSurface& surface,
+                  const ToolState& state, double coupling, ContactRows& rows) noexcept;
 
-/// [1/s²] The same of both jaws and of their anchors on a body under a skin, whose vertices hang on
-/// few particles: by the row sums of these, of what is touched alone. `scratch` has a number for
-/// each particle, 0 between its uses.
-double bound_jaws_on_skin(const Tool& tool, const JawSurfaces& surfaces, int body,
-                          const TissueModel& tissue, const ToolState& state,
-                          std::span<double> scratch) noexcept;
+/// Row sums of M⁻¹K of the particles under a skin, whose vertices hang on few of them.
+struct ParticleRows {
+  const TissueModel& tissue;
+  std::span<double> sums;  ///< [N/m] per particle, 0 where nothing was added
+  double largest = 0.0;    ///< [1/s²]
+
+  void add(int triangle, const Vec3& weights, double stiffness) noexcept;
+};
+
+/// add_jaw_rows() of both jaws on a body under a skin: by what is touched alone.
+void add_jaws_on_skin(const Tool& tool, const JawSurfaces& surfaces, int body,
+                      const ToolState& state, ParticleRows& rows) noexcept;
 
 }  // namespace palpate

@@ -99,18 +99,57 @@ double count_free_substeps(const SoftBody& body, double dt, const BodyInternals&
   return std::max(fewest, std::ceil(needed * rest_limit / limit));
 }
 
+/// Jaws on a body under a skin count by its particles, all else by vertices.
+bool counts_by_particles(const Scene& scene, std::size_t instrument, std::size_t body) noexcept {
+  return scene.instruments[instrument].tool.jaws && !scene.bodies[body].tissue.skin.corners.empty();
+}
+
+/// [1/s²] The largest row of the sum of what the instruments add to vertices.
+double bound_by_vertices(const Scene& scene, std::size_t body, World& world) noexcept {
+  BodyInternals& work = internals(world.bodies[body]);
+  ContactRows rows{work.surface_mass, work.vertex_scratch};
+  const auto for_each_part = [&](auto take) noexcept {
+    for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+      if (counts_by_particles(scene, i, body)) continue;
+      const std::size_t parts = scene.instruments[i].tool.jaws ? 2 : 1;
+      for (std::size_t part = 0; part < parts; ++part) take(i, part);
+    }
+  };
+  for_each_part([&](std::size_t i, std::size_t part) noexcept {
+    add_rows(scene, i, part, body, rows, world);
+  });
+  for_each_part([&](std::size_t i, std::size_t part) noexcept {
+    for_each_row(part == 0, find_touchable_part(scene, i, part, body, world),
+                 world.instruments[i].tool,
+                 [&](int v) noexcept { rows.sums[static_cast<std::size_t>(v)] = 0.0; });
+  });
+  return rows.largest;
+}
+
+/// [1/s²] The same of particles.
+double bound_by_particles(const Scene& scene, std::size_t body, World& world) noexcept {
+  const std::span<double> sums = internals(world.bodies[body]).vertex_scratch;
+  ParticleRows rows{scene.bodies[body].tissue, sums};
+  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
+    if (!counts_by_particles(scene, i, body)) continue;
+    add_jaws_on_skin(scene.instruments[i].tool, list_jaw_surfaces(scene, i, world),
+                     static_cast<int>(body), world.instruments[i].tool, rows);
+  }
+  if (rows.largest > 0.0) std::ranges::fill(sums, 0.0);
+  return rows.largest;
+}
+
 /// How many substeps contact asks for to be stable, with the contacts' part k/m of the spectrum:
-/// w² <= w0² + max k/m, summed over the instruments and with what other bodies add. An implicit
+/// w² <= w0² + max k/m, of all instruments together, and with what other bodies add. An implicit
 /// step leaves them only the contacts: of x'' - 2 x' + x + a x'' + b x' = 0, with a of the tissue
 /// and b of the contacts, b <= 4 + a is asked for.
 double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
                              World& world) noexcept {
   const SoftBody& soft = scene.bodies[body];
   BodyInternals& work = internals(world.bodies[body]);
-  double contact = bound_touch_stiffness(body, world) + bound_rigid_stiffness(body, world);
-  for (std::size_t i = 0; i < world.instruments.size(); ++i) {
-    contact += bound_instrument_stiffness(scene, i, body, world);
-  }
+  const double contact = bound_touch_stiffness(body, world) + bound_rigid_stiffness(body, world) +
+                         bound_by_vertices(scene, body, world) +
+                         bound_by_particles(scene, body, world);
   work.contact_stiffness = contact;
   if (!(contact > 0.0)) return 1.0;
   // no integrator bears more of what is told at the start of a step [motion: integrators]
@@ -137,32 +176,25 @@ int find_divisor(int finest, int wanted) noexcept {
 
 }  // namespace
 
-double bound_instrument_stiffness(const Scene& scene, std::size_t instrument, std::size_t body,
-                                  World& world) noexcept {
+TouchableSurface find_touchable_part(const Scene& scene, std::size_t instrument, std::size_t part,
+                                     std::size_t body, World& world) noexcept {
+  const SoftBody& soft = scene.bodies[body];
+  return {part == 0 ? world.pair(instrument, body).candidates : second_jaw(world, instrument, body),
+          soft.tissue.triangles, surface_position(world.bodies[body]),
+          find_near_field(scene.instruments[instrument].tool, soft), static_cast<int>(body)};
+}
+
+void add_rows(const Scene& scene, std::size_t instrument, std::size_t part, std::size_t body,
+              ContactRows& rows, World& world) noexcept {
   const Instrument& its = scene.instruments[instrument];
   const ToolState& tool = world.instruments[instrument].tool;
-  const std::vector<Triangle>& triangles = scene.bodies[body].tissue.triangles;
-  const std::span<const Vec3> x = surface_position(world.bodies[body]);
-  BodyInternals& work = internals(world.bodies[body]);
-  if (!its.tool.jaws) {
-    const NearField* near = find_near_field(its.tool, scene.bodies[body]);
-    return bound_contact_stiffness(its.tool, world.pair(instrument, body).candidates, triangles, x,
-                                   work.surface_mass, tool, work.vertex_scratch,
-                                   static_cast<int>(body), near, its.coupling.stiffness);
+  const TouchableSurface surface = find_touchable_part(scene, instrument, part, body, world);
+  if (its.tool.jaws) {
+    add_jaw_rows(its.tool, static_cast<int>(part), surface, tool, its.coupling.stiffness, rows);
+  } else {
+    const Shape shape{its.tool, Axes(its.tool, tool.orientation)};
+    add_shape_rows(shape, true, surface, tool, its.coupling.stiffness, rows);
   }
-  double sum = 0.0;
-  const JawSurfaces surfaces = list_jaw_surfaces(scene, instrument, world);
-  if (const TissueModel& tissue = scene.bodies[body].tissue; !tissue.skin.corners.empty()) {
-    return bound_jaws_on_skin(its.tool, surfaces, static_cast<int>(body), tissue, tool,
-                              work.vertex_scratch);
-  }
-  for (int j = 0; j < 2; ++j) {
-    const TouchedSurface& surface = surfaces[static_cast<std::size_t>(j)][body];
-    sum += bound_jaw_stiffness(its.tool, j, *surface.candidates, triangles, x, work.surface_mass,
-                               tool, work.vertex_scratch, static_cast<int>(body), surface.near,
-                               its.coupling.stiffness);
-  }
-  return sum;
 }
 
 bool is_near(World& world, std::size_t instrument, std::size_t body) noexcept {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "palpate/sim/contact/private/hold.h"
 #include "palpate/sim/tick/world.h"
 
 namespace palpate {
@@ -11,9 +12,13 @@ namespace palpate {
 /// Whether an instrument holds a body, or may touch it in this tick.
 bool is_near(World& world, std::size_t instrument, std::size_t body) noexcept;
 
-/// [1/s²] bound_contact_stiffness() of an instrument and a body.
-double bound_instrument_stiffness(const Scene& scene, std::size_t instrument, std::size_t body,
-                                  World& world) noexcept;
+/// A body as an instrument, or its first (0) or second (1) jaw, may touch it in this tick.
+TouchableSurface find_touchable_part(const Scene& scene, std::size_t instrument, std::size_t part,
+                                     std::size_t body, World& world) noexcept;
+
+/// Adds what that touches; what is held counts with part 0.
+void add_rows(const Scene& scene, std::size_t instrument, std::size_t part, std::size_t body,
+              ContactRows& rows, World& world) noexcept;
 
 /// How many substeps a body asks for in the coming tick of dt [s], from the world as the last tick
 /// left it, its candidates, and the hands in its workspace. Between substeps and substeps_max of

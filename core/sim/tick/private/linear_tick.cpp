@@ -45,47 +45,20 @@ Vec3Array compute_normals(const TissueModel& tissue, const Vec3Array& x) {
 /// that at most the sum of k_t w_tv c_v over vertices, c_v their own compliance, for w_t sums to 1.
 double bound_contact_share(const Scene& scene, std::size_t body, const ResponseKernel& kernel,
                            World& world) noexcept {
-  const std::vector<Triangle>& triangles = scene.bodies[body].tissue.triangles;
   BodyInternals& work = internals(world.bodies[body]);
   double sum = 0.0;
-  const auto take = [&](int triangle) noexcept {
-    for (const int vertex : triangles[static_cast<std::size_t>(triangle)]) {
-      const auto v = static_cast<std::size_t>(vertex);
-      sum += work.vertex_scratch[v] * kernel.response->self_compliance[v];
-      work.vertex_scratch[v] = 0.0;
-    }
-  };
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
-    const ToolState& tool = world.instruments[i].tool;
-    const auto take_touchable = [&](const Candidates& candidates) noexcept {
-      for (int c = 0; c < candidates.count; ++c) {
-        take(candidates.triangles[static_cast<std::size_t>(c)]);
-      }
-    };
-    if (scene.instruments[i].tool.jaws) {
-      const JawSurfaces surfaces = list_jaw_surfaces(scene, i, world);
-      for (int j = 0; j < 2; ++j) {
-        const TouchedSurface& surface = surfaces[static_cast<std::size_t>(j)][body];
-        bound_jaw_stiffness(scene.instruments[i].tool, j, *surface.candidates, triangles, surface.x,
-                            work.surface_mass, tool, work.vertex_scratch, static_cast<int>(body),
-                            surface.near, scene.instruments[i].coupling.stiffness);
-        take_touchable(*surface.candidates);
-        for (int k = 0; j == 0 && k < tool.anchor_count; ++k) {
-          const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
-          if (anchor.body == static_cast<int>(body)) take(anchor.triangle);
-        }
-      }
-      continue;
-    }
-    bound_instrument_stiffness(scene, i, body, world);
-    take_touchable(world.pair(i, body).candidates);
-    for (int h = 0; h < tool.hold_count; ++h) {
-      const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
-      if (hold.body == static_cast<int>(body)) take(hold.triangle);
-    }
-    for (int k = 0; k < tool.patch_count; ++k) {
-      const ToolState::PatchPoint& point = tool.patch[static_cast<std::size_t>(k)];
-      if (point.body == static_cast<int>(body)) take(point.triangle);
+    const std::size_t parts = scene.instruments[i].tool.jaws ? 2 : 1;
+    for (std::size_t part = 0; part < parts; ++part) {
+      ContactRows rows{work.surface_mass, work.vertex_scratch};
+      add_rows(scene, i, part, body, rows, world);
+      for_each_row(part == 0, find_touchable_part(scene, i, part, body, world),
+                   world.instruments[i].tool, [&](int vertex) noexcept {
+                     double& row = rows.sums[static_cast<std::size_t>(vertex)];
+                     sum +=
+                         row * kernel.response->self_compliance[static_cast<std::size_t>(vertex)];
+                     row = 0.0;
+                   });
     }
   }
   return sum;
