@@ -9,6 +9,7 @@
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/tick/private/world_internals.h"
 #include "palpate/sim/tick/tick.h"
+#include "scenes/grasped.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -143,4 +144,27 @@ TEST_CASE("what counts the stiffness of contacts leaves no numbers behind") {
   }
   REQUIRE(internals(world.bodies[0]).contact_stiffness > 0.0);
   for (const double row : internals(world.bodies[0]).vertex_scratch) CHECK(row == 0.0);
+}
+
+TEST_CASE("what jaws hold of a wall has nine tenths of its step, and contacts three quarters") {
+  const Scene scene = scenes::make_grasped_slab(scenes::make_grasper(0.5, 1.0), 500.0);
+  scenes::GraspingHand hand(scene);
+  hand.close();
+  hand.wait(0.2);
+  hand.go(0.002, 0.1);
+  hand.wait(0.6);  // what a peak has asked for is taken back
+  const BodyInternals& work = internals(hand.world().bodies[0]);
+  const double c = scene.bodies[0].spectrum_damping, dt = 1.0 / scene.rate;
+  REQUIRE(work.contact_stiffness > 0.0);
+
+  // dt² w0²/0.9² + 2 dt c/0.9 + dt² (k/m)/0.75² <= 4
+  const auto asked = [&](double step) {
+    const double tissue = step / 0.9, contact = step / 0.75;
+    return tissue * tissue * work.chosen_stiffness + 2.0 * tissue * c +
+           contact * contact * work.contact_stiffness;
+  };
+  const int substeps = hand.world().bodies[0].substeps;
+  CHECK(substeps > scene.bodies[0].substeps);
+  CHECK(asked(dt / substeps) <= 4.0);
+  CHECK(asked(dt / (substeps - 2)) > 4.0);
 }

@@ -20,6 +20,10 @@ namespace {
 /// start of the tick, and contacts grow within it.
 constexpr double kStepShare = 0.75;
 
+/// How many times as stiff as told at its start contacts may become within a tick: what the step
+/// share above leaves them where nothing else is in a step, and the tissue its own share besides.
+constexpr double kContactGrowth = kLimitShare * kLimitShare / (kStepShare * kStepShare);
+
 /// Substeps that contact has at least: with one, the three Newton steps of the tool are all there
 /// are in a tick, and what they leave over lags behind the tissue and feeds it energy.
 constexpr double kFewestInContact = 3.0;
@@ -76,6 +80,12 @@ double find_limit(const SoftBody& body, double w2) noexcept {
   }
   const double damped_part = std::min(1.0, body.spectrum_stiffness / w2);
   return find_step_limit(body.integrator, {w2, c}, damped_part * body.least_damping_time);
+}
+
+/// Springs, bonds and prisms of a surface; what has tetrahedra is a solid.
+bool is_wall(const TissueModel& tissue) noexcept {
+  return tissue.volumes.corners.empty() && tissue.elastic.corners.empty() &&
+         tissue.corotated.corners.empty() && tissue.neo_hookean.corners.empty();
 }
 
 /// Takes note of a tissue that stretch has made stiffer, or that has come back.
@@ -143,7 +153,14 @@ double bound_by_particles(const Scene& scene, std::size_t body, World& world) no
 /// w² <= w0² + max k/m, of all instruments together, and with what other bodies add. An implicit
 /// step leaves them only the contacts: of x'' - 2 x' + x + a x'' + b x' = 0, with a of the tissue
 /// and b of the contacts, b <= 4 + a is asked for.
-double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
+///
+/// With the share s of a step for the tissue and s' for contacts, which grow within a tick,
+///
+///     dt² w0²/s² + dt² (k/m)/s'² <= 4
+///
+/// is asked for of jaws alone on a wall. Of a solid it is too little, whose jaws then buzz, and of
+/// all else s' is the share of both.
+double count_stable_substeps(const Scene& scene, std::size_t body, double dt, bool jaws_on_wall,
                              World& world) noexcept {
   const SoftBody& soft = scene.bodies[body];
   BodyInternals& work = internals(world.bodies[body]);
@@ -153,11 +170,13 @@ double count_stable_substeps(const Scene& scene, std::size_t body, double dt,
   work.contact_stiffness = contact;
   if (!(contact > 0.0)) return 1.0;
   // no integrator bears more of what is told at the start of a step [motion: integrators]
-  double limit = 2.0 / std::sqrt(contact);
+  double step = kStepShare * (2.0 / std::sqrt(contact));
   if (!is_implicit(soft.integrator)) {
-    limit = std::min(limit, find_limit(soft, work.chosen_stiffness + contact));
+    const double share = jaws_on_wall ? kLimitShare : kStepShare;
+    const double growth = jaws_on_wall ? kContactGrowth : 1.0;
+    step = std::min(step, share * find_limit(soft, work.chosen_stiffness + growth * contact));
   }
-  return std::ceil(dt / (kStepShare * limit));
+  return std::ceil(dt / step);
 }
 
 /// How many substeps an impact asks for: a particle far lighter than the hand leaves it at up to
@@ -238,20 +257,23 @@ int count_substeps(const Scene& scene, std::size_t body, double dt, World& world
     travel = std::max(travel, workspace(world).hands[i].travel);
   }
   const double fewest = count_free_substeps(soft, dt, work);
+  const bool jaws_on_wall = near && near_jaws && is_wall(soft.tissue) &&
+                            !is_rigid_near(body, world) && !is_touched(body, world);
   double wanted = std::max(fewest, double(work.wanted_substeps - 1));
   if (near) {
-    wanted = std::max(
-        {kFewestInContact, fewest, keep_substeps(near_jaws, dt, world.tick_count, work),
-         count_stable_substeps(scene, body, dt, world), count_impact_substeps(travel, state)});
+    wanted =
+        std::max({kFewestInContact, fewest, keep_substeps(near_jaws, dt, world.tick_count, work),
+                  count_stable_substeps(scene, body, dt, jaws_on_wall, world),
+                  count_impact_substeps(travel, state)});
   }
   if (is_rigid_near(body, world)) {
     wanted =
         std::max({wanted, kFewestInContact, fewest, keep_substeps(true, dt, world.tick_count, work),
-                  count_stable_substeps(scene, body, dt, world)});
+                  count_stable_substeps(scene, body, dt, jaws_on_wall, world)});
   }
   if (is_touched(body, world)) {
     wanted = std::max({wanted, fewest, keep_substeps(true, dt, world.tick_count, work),
-                       count_stable_substeps(scene, body, dt, world),
+                       count_stable_substeps(scene, body, dt, jaws_on_wall, world),
                        count_approach_substeps(body, world)});
   }
   double most = soft.substeps_max;
