@@ -30,7 +30,7 @@ EdgePoints::EdgePoints(const SurfaceMesh& edges, const SurfaceMesh& triangles,
     double area = 0.0;
     for (const int t : topology.edge_triangles[e]) {
       if (t < 0) continue;
-      area += measure_area(edges.triangles[static_cast<std::size_t>(t)], edges.vertices) / 6.0;
+      area += measure_area(edges.triangles[static_cast<std::size_t>(t)], edges.vertices) / 4.0;
     }
     ends.push_back(topology.edges[e]);
     areas.push_back(area);

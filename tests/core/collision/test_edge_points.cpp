@@ -69,13 +69,13 @@ struct Pressed {
 
 }  // namespace
 
-TEST_CASE("edges longer than ten thicknesses have a middle, with a sixth of the triangles beside") {
+TEST_CASE("edges longer than ten thicknesses have a middle, with a quarter of the triangles") {
   // a triangle with sides of 3, 4 and 5 mm: an area of 6 mm²
   const SurfaceMesh mesh{{{0, 0, 0}, {0.003, 0, 0}, {0, 0.004, 0}}, {{0, 1, 2}}};
   const EdgePoints points(mesh, mesh, {4.5e-4, 5e6, 0.3});
   REQUIRE(points.ends.size() == 1);
   CHECK(points.ends[0] == std::array<int, 2>{1, 2});
-  CHECK(points.contacts.area[0] == doctest::Approx(1e-6));
+  CHECK(points.contacts.area[0] == doctest::Approx(1.5e-6));
   CHECK(EdgePoints(mesh, mesh, {5.1e-4, 5e6, 0.3}).ends.empty());
   CHECK(EdgePoints(mesh, mesh, {3.9e-4, 5e6, 0.3}).ends.size() == 2);
 }

@@ -17,7 +17,7 @@ struct EdgePoints {
   EdgePoints(const SurfaceMesh& edges, const SurfaceMesh& triangles, const Barrier& barrier);
 
   std::vector<std::array<int, 2>> ends;  ///< vertices; never change
-  SurfaceContacts contacts;              ///< of the middles, with a sixth of the triangles beside
+  SurfaceContacts contacts;              ///< of the middles, with a quarter of the triangles beside
   Vec3Array x;                           ///< [m] (follow, follow_active)
   Vec3Array before;                      ///< [m] (follow)
 };
