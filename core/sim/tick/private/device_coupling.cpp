@@ -105,6 +105,22 @@ double measure_reserve(const SoftBody& body, const SoftState& state) noexcept {
       {volume / kBorne, stretch.shortest / kBorne, (1.0 - strain) / (1.0 - kBorneStrain)});
 }
 
+/// [-] Of the thickness of a barrier: what is so deep in another body has no reserve left.
+constexpr double kDeepest = 0.2;
+
+/// [-] Likewise of the barriers between a body and others, less than 1 where something is in it.
+double measure_reserve_of_gaps(const Scene& scene, std::size_t body, const World& world) noexcept {
+  double reserve = kNone;
+  for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
+    const BodyPair& pair = scene.body_pairs[p];
+    const BodyPairState& state = world.body_pairs[p];
+    const auto index = static_cast<int>(body);
+    if ((pair.first != index && pair.second != index) || state.touching == 0) continue;
+    reserve = std::min(reserve, 1.0 + state.least_gap / (kDeepest * pair.thickness));
+  }
+  return reserve;
+}
+
 /// Whether a volume that has no reserve left is about to collapse.
 bool collapses(const SoftState& state) noexcept {
   const double now = state.stretch.smallest_volume, then = foresee_volume(kEnd, state);
@@ -183,7 +199,8 @@ void limit_hand(const Scene& scene, std::size_t instrument, double dt, World& wo
   bool ends = false;
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     if (find_response(world.bodies[b]) || !pushes(scene, instrument, b, world)) continue;
-    reserve = std::min(reserve, measure_reserve(scene.bodies[b], world.bodies[b]));
+    reserve = std::min({reserve, measure_reserve(scene.bodies[b], world.bodies[b]),
+                        measure_reserve_of_gaps(scene, b, world)});
     ends = ends || collapses(world.bodies[b]);
   }
   const double most = scene.instruments[instrument].coupling.force_max;
