@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "calls.h"
 #include "palpate/sim/packed/private/packed.h"
 #include "palpate/sim/packed/private/packed_checkpoint.h"
+#include "palpate/sim/tick/private/device_coupling.h"
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/world_internals.h"
 #include "scenes/layers.h"
@@ -305,4 +308,33 @@ TEST_CASE("organs under a skin touch by their skins, momentum and bits as those 
   CHECK(least > 0.0);
   CHECK(one.body_pairs[0].force.z() > 0.02);
   CHECK(compute_hash(one) == compute_hash(other));
+}
+
+TEST_CASE("a hand presses a body no harder into another than the barrier between them bears") {
+  const Layers layers{.side = 0.04, .cells = {8, 8, 2}, .lower_modulus = 2e4};
+  Scene made = make_layers(layers, 0.006);
+  made.instruments[0].coupling.force_max = 0.2;  // of which a fiftieth is always left
+  const Scene scene = build_scene(std::move(made));
+  World world(scene);
+  push_layers(scene, layers, 0.001, 0.02, 0.05, world);
+  const double force = world.instruments[0].last_force.norm();
+  const double& bearable = workspace(world).hands[0].bearable;
+  BodyPairState& pair = world.body_pairs[0];
+  REQUIRE(force > 0.01);
+  pair.touching = 1;
+  pair.least_gap = 0.5 * scene.body_pairs[0].thickness;
+  limit_hand(scene, 0, kDt, world);
+  CHECK(std::isinf(bearable));
+  // half of the reserve is left, of which F falls by 100/s
+  pair.least_gap = -0.1 * scene.body_pairs[0].thickness;
+  limit_hand(scene, 0, kDt, world);
+  CHECK(bearable == doctest::Approx(0.95 * force));
+  // none is left, nor less than none
+  pair.least_gap = -2.0 * scene.body_pairs[0].thickness;
+  limit_hand(scene, 0, kDt, world);
+  CHECK(bearable == doctest::Approx(0.9 * 0.95 * force));
+  // what does not touch holds nobody back, and a hand that has eased may push again
+  pair.touching = 0;
+  for (int i = 0; i < 2000; ++i) limit_hand(scene, 0, kDt, world);
+  CHECK(bearable > 0.95 * force);
 }
