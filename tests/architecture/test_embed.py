@@ -46,7 +46,8 @@ def presses(build: Path) -> None:
 def shared() -> Path:
     """The subproject as a shared library; its build folder stays, so a second run is quick."""
     build = CHECKOUT / "build" / "embed-shared"
-    configure(build, "-DEMBED_BY=subproject", "-DBUILD_SHARED_LIBS=ON", "-DPALPATE_INSTALL=ON")
+    configure(build, "-DEMBED_BY=subproject", "-DBUILD_SHARED_LIBS=ON", "-DPALPATE_INSTALL=ON",
+              "-DPALPATE_PRECOMPILED=ON")  # fmt: skip
     require("cmake", "--build", build)
     return build
 

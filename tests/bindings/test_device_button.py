@@ -70,6 +70,15 @@ def test_a_press_counts_once_and_not_if_it_was_there_before(looked_at, went_down
     assert sum(press.take(buttons) for buttons in looked_at) == went_down
 
 
+def test_a_press_that_was_there_before_the_first_look_is_waited_out():
+    press = Press()
+    assert not press.ready
+    press.take(1)
+    assert not press.ready
+    press.take(0)
+    assert press.ready
+
+
 def test_only_an_arm_behind_a_port_is_listened_to(qtbot, shown):
     for name in ("", "plant"):
         button = DeviceButton(name, None)
@@ -91,7 +100,7 @@ def test_the_button_starts_goes_on_and_starts_again(open_window, qtbot, tmp_path
     assert count_open(port.path()) == held + 1
     QTest.keyClick(window, Qt.Key.Key_Escape)
     assert window.over.board() is window.over.menu
-    qtbot.wait(100)
+    wait_until_heard(window, qtbot)
     press(lambda: window.phase is Phase.running)
     assert window.over.board() is None
 

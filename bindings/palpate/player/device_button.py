@@ -27,6 +27,11 @@ class Press:
     def __init__(self) -> None:
         self._down = True
 
+    @property
+    def ready(self) -> bool:
+        """The button has been seen up, so that the next press counts."""
+        return not self._down
+
     def take(self, buttons: int) -> bool:
         before, self._down = self._down, bool(buttons & BUTTONS)
         return self._down and not before
@@ -57,8 +62,8 @@ class DeviceButton(QObject):
 
     @property
     def hears(self) -> bool:
-        """The arm has answered, so that a press counts from now on."""
-        return self._driver is not None or self._heard.is_set()
+        """The arm has answered and its button been seen up, so that a press counts from now on."""
+        return self._press.ready if self._driver is not None else self._heard.is_set()
 
     def listen(self, driver: palpate.SerialDevice | None = None) -> None:
         """From now on; may be repeated. `driver` is of the run that rests, where there is one, read
@@ -110,7 +115,8 @@ class DeviceButton(QObject):
             while not stop.wait(LOOK_EVERY) and not link.is_lost():
                 if press.take(link.status().buttons):
                     self._went_down.emit(stop)
-                heard.set()
+                if press.ready:
+                    heard.set()
         finally:
             heard.clear()
             link.end()
