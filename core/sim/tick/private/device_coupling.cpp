@@ -83,8 +83,9 @@ constexpr double kAhead = 2.0;
 /// again: in a narrow crease what jaws held went up and down by 0.5 N, six times a second.
 constexpr double kFall = 100.0, kRise = 10.0, kRisePushed = 0.1;
 
-/// [1/s] How fast it falls where a volume shrinks so that the run would end within as many ticks:
-/// what is drawn through a rim gives way in no more.
+/// [1/s] How fast it falls where a volume shrinks so that it would be at the alarm's limit within
+/// as many ticks, or is below that: what is drawn through a rim gives way in no more, and the run
+/// ends after ten ticks.
 constexpr double kFallAtEnd = 300.0, kEnd = 5.0;
 
 /// [-] Of the limit: a hand that feels less has eased.
@@ -121,10 +122,9 @@ double measure_reserve_of_gaps(const Scene& scene, std::size_t body, const World
   return reserve;
 }
 
-/// Whether a volume that has no reserve left is about to collapse.
+/// Whether a volume that has no reserve left is about to collapse, or has and stays so.
 bool collapses(const SoftState& state) noexcept {
-  const double now = state.stretch.smallest_volume, then = foresee_volume(kEnd, state);
-  return now < kBorne && then < now && then < kSmallestVolume;
+  return state.stretch.smallest_volume < kBorne && foresee_volume(kEnd, state) < kSmallestVolume;
 }
 
 /// Whether an instrument pushed a body, or a rigid one that touches it, as the last tick ended.
