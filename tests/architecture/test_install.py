@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a build installs, found and used by a stranger. With Eigen alone: test_embed.py."""
+"""What a build installs, found and used by a stranger; with Eigen alone in `./run verify`."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ from pathlib import Path
 
 import pytest
 from tree import CHECKOUT, install
+
+ABSENT = ("ZLIB", "OpenSSL", "hwy", "CGAL", "assimp", "OpenMesh", "doctest", "pybind11", "Python")
+OFF = ("RECORD_FILES", "SIMD", "SERIAL", "SCENARIO", "AUTHORING", "BINDINGS", "TESTS")
 
 
 def run(*command: str | Path, **options) -> str:
@@ -64,11 +67,11 @@ def test_the_version_header_is_that_of_the_project_and_of_the_library(prefix, tm
     assert run(tmp_path / "version") == f"{version} {version} {version}"
 
 
-def test_a_program_of_thirty_lines_presses_an_organ_and_prints_forces(prefix):
-    source = CHECKOUT / "tests/examples/press_an_organ"
-    build = CHECKOUT / "build/installed-program"
-    run("cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-        f"-DCMAKE_PREFIX_PATH={prefix}")  # fmt: skip
+def press_an_organ(prefix: Path, name: str, *options: str) -> None:
+    """Compiles the program of thirty lines against what is installed, and runs it."""
+    build = CHECKOUT / "build" / name
+    run("cmake", "-S", CHECKOUT / "tests/examples/press_an_organ", "-B", build, "-G", "Ninja",
+        "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_PREFIX_PATH={prefix}", *options)  # fmt: skip
     run("cmake", "--build", build)
 
     words = run(build / "press_an_organ", env={"PATH": os.environ["PATH"]})
@@ -78,3 +81,18 @@ def test_a_program_of_thirty_lines_presses_an_organ_and_prints_forces(prefix):
     assert forces[:5] == [0.0] * 5
     assert forces[6:] == sorted(forces[6:])
     assert forces[-1] > forces[6] > 0.0
+
+
+def test_a_program_of_thirty_lines_presses_an_organ_and_prints_forces(prefix):
+    press_an_organ(prefix, "installed-program")
+
+
+@pytest.mark.verify
+def test_so_it_does_with_a_static_library_that_was_built_with_eigen_alone():
+    absent = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ABSENT]
+    build = CHECKOUT / "build" / "eigen-alone"
+    run("cmake", "-S", CHECKOUT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+        *(f"-DPALPATE_{option}=OFF" for option in OFF), *absent)  # fmt: skip
+    run("cmake", "--build", build)
+
+    press_an_organ(install(build, "eigen-alone-prefix"), "eigen-alone-program", *absent)

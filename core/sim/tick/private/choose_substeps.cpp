@@ -98,8 +98,8 @@ void follow_stretch(const Stretch& stretch, BodyInternals& work) noexcept {
   }
 }
 
-/// Substeps in the air: the body's own at rest, more by as much as the limit has come down. Of a
-/// body that has more than kStepShare of its limit asks for, no more than those become more.
+/// Substeps in the air: the body's own at rest, more by as much as the limit has come down. What it
+/// has beyond steps of kStepShare of its limit at rest is room for that.
 double count_free_substeps(const SoftBody& body, double dt, const BodyInternals& work) noexcept {
   const double fewest = body.substeps, rest = work.spectrum.rest;
   if (!(work.chosen_stiffness > rest) || is_implicit(body.integrator)) return fewest;
