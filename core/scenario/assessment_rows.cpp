@@ -26,7 +26,7 @@ constexpr std::array<std::pair<const char*, const char*>, 2> kVerbsToCome = {{
     {"inject", "there is no syringe"},
     {"cut", "there are no scissors"},
 }};
-constexpr std::array<std::pair<const char*, TaskMeasure>, 12> kMeasures = {{
+constexpr std::array<std::pair<const char*, TaskMeasure>, 14> kMeasures = {{
     {"force", TaskMeasure::force},
     {"force_rate", TaskMeasure::force_rate},
     {"contact", TaskMeasure::contact},
@@ -39,6 +39,8 @@ constexpr std::array<std::pair<const char*, TaskMeasure>, 12> kMeasures = {{
     {"loose", TaskMeasure::loose},
     {"out_of_view", TaskMeasure::out_of_view},
     {"object_force", TaskMeasure::object_force},
+    {"pad_pressure", TaskMeasure::pad_pressure},
+    {"torn", TaskMeasure::torn},
 }};
 constexpr std::array<std::pair<const char*, const char*>, 7> kMeasuresToCome = {{
     {"path.progress", "a step that traces asks for it"},

@@ -12,7 +12,7 @@
 namespace palpate::scenario {
 namespace {
 
-constexpr const char* kWhere = "manifest.json: content";
+constexpr const char* kContentWhere = "manifest.json: content";
 constexpr std::initializer_list<const char*> kDampingLaws = {"axis", "isotropic"};
 constexpr std::initializer_list<const char*> kAngleLaws = {"gradient", "eq10"};
 
@@ -53,6 +53,7 @@ Json print_body(const SoftBody& body) {
   }
   if (body.iterations > 0) printed["iterations"] = body.iterations;
   if (body.weightless) printed["weightless"] = true;
+  if (body.tear_stretch > 0.0) printed["tear_stretch"] = body.tear_stretch;
   return printed;
 }
 
@@ -151,6 +152,7 @@ SoftBody parse_body(Fields fields) {
     body.iterations = static_cast<int>(fields.whole("iterations", 1, kMostInt));
   }
   body.weightless = parse_weightless(fields);
+  body.tear_stretch = fields.number_or("tear_stretch", 0.0);
   body.spectrum_stiffness = fields.number("spectrum_stiffness");
   body.spectrum_damping = fields.number("spectrum_damping");
   fields.finish();
@@ -261,7 +263,7 @@ void parse_languages(Fields& fields, const std::string& file, Scenario& scenario
       fields.refuse("languages", "the code " + describe(Json(code)) + ", " + *problem,
                     "a code such as tr or pt-BR");
     }
-    Fields said(words, file, std::string(kWhere) + ".languages." + code);
+    Fields said(words, file, std::string(kContentWhere) + ".languages." + code);
     scenario.languages[code] = {said.text("title", kMostTitleBytes),
                                 said.text("task", kMostTaskBytes)};
     said.finish();
@@ -295,8 +297,8 @@ std::string print_content(const Scenario& scenario) {
 }
 
 void parse_content(const std::string& content, const std::string& file, Scenario& scenario) {
-  const Json parsed = parse_object(content, file, kWhere);
-  Fields fields(parsed, file, kWhere);
+  const Json parsed = parse_object(content, file, kContentWhere);
+  Fields fields(parsed, file, kContentWhere);
   scenario.title = fields.text("title", kMostTitleBytes);
   scenario.task = fields.text("task", kMostTaskBytes);
   parse_scene(fields.object("scene"), scenario.scene);

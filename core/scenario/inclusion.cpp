@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 16> kConstants = {
     "tissue/corotated/viscosity",  "tissue/neo_hookean/lame",      "tissue/neo_hookean/shear",
     "tissue/neo_hookean/viscosity"};
 
-std::string name_folder(const std::string& place) { return "constants/" + place + "/"; }
+std::string name_place_folder(const std::string& place) { return "constants/" + place + "/"; }
 
 template <class Row>
 void take(const Arrays& arrays, const std::string& name, const std::string& file, bool same_rows,
@@ -48,7 +48,7 @@ bool is_constant(std::string_view name) {
 
 /// Arrays of a place's inclusion that are none of its constants, or of an empty table.
 void check_names(const Arrays& arrays, const std::string& place, const std::string& file) {
-  const std::string folder = name_folder(place);
+  const std::string folder = name_place_folder(place);
   std::size_t count = 0;
   for (const auto& [name, array] : arrays) {
     if (!name.starts_with(folder)) continue;
@@ -66,7 +66,7 @@ void check_names(const Arrays& arrays, const std::string& place, const std::stri
 SoftBody with_inclusion(const Arrays& arrays, const std::string& place, SoftBody body,
                         const std::string& file) {
   check_names(arrays, place, file);
-  const std::string folder = name_folder(place);
+  const std::string folder = name_place_folder(place);
   const auto visit = [&](const std::string& name, auto& table) {
     if (is_constant(name)) take(arrays, folder + name, file, true, table);
   };
@@ -84,7 +84,7 @@ void check_inclusions(const Scenario& scenario, const Names& names, const std::s
     try {
       check_ranges(scene);
     } catch (const std::invalid_argument& problem) {
-      throw FileError(file, "assessment/" + name_folder(place), problem.what(),
+      throw FileError(file, "assessment/" + name_place_folder(place), problem.what(),
                       "constants within the ranges of a scene");
     }
   }

@@ -55,9 +55,9 @@ void visit_body(const std::string& folder, SomeBody& body, const Visit& visit) {
   // kernel and vector target belong to the machine a scene runs on, a response and a near field are
   // solved for again: no file has them
   auto& [tissue, substeps, substeps_max, force_error, kernel, integrator, iterations, simd_target,
-         contact_modulus, far_compliance, contact_facets, tied_holds, may_fold, weightless,
-         rest_areas, spectrum_stiffness, spectrum_damping, least_damping_time, damped_limit,
-         response, near_field] = body;
+         contact_modulus, far_compliance, contact_facets, tied_holds, tear_stretch, may_fold,
+         weightless, rest_areas, spectrum_stiffness, spectrum_damping, least_damping_time,
+         damped_limit, response, near_field] = body;
   const std::string t = folder + "tissue/";
   visit(t + "rest_position", tissue.rest_position);
   visit(t + "mass", tissue.mass);

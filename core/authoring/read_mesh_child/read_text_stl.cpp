@@ -12,7 +12,7 @@
 namespace palpate::authoring {
 namespace {
 
-constexpr const char* kEnd = "the end of the file";
+constexpr const char* kTextEnd = "the end of the file";
 
 std::string lower(std::string_view word) {
   std::string text(word);
@@ -51,9 +51,9 @@ class Words {
   }
 
   [[noreturn]] void refuse(std::string_view got, const std::string& expected) const {
-    throw FileError(path_, "line " + std::to_string(number_),
-                    got.empty() ? std::string(kEnd) : "'" + std::string(got.substr(0, 40)) + "'",
-                    expected);
+    throw FileError(
+        path_, "line " + std::to_string(number_),
+        got.empty() ? std::string(kTextEnd) : "'" + std::string(got.substr(0, 40)) + "'", expected);
   }
 
  private:
@@ -75,7 +75,7 @@ class TextStl {
     try {
       take_words();
     } catch (const FileError& refusal) {
-      if (refusal.got != kEnd) throw;
+      if (refusal.got != kTextEnd) throw;
       wrong_.add(refusal);
     }
     wrong_.settle(facets_, scene_.notes);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/sim/collision/private/held_kernels.h"
 #include "palpate/sim/collision/private/nearest.h"
 #include "palpate/sim/collision/private/surface_contacts.h"
 
@@ -11,7 +12,10 @@ namespace palpate {
 namespace {
 
 /// [m] Near triangles are those that much farther than the nearest, and hold for half of it.
-constexpr double kNearWindow = 2e-4;
+constexpr double kNearWindow = 4e-4;
+
+/// [m] And for so much at least where there are more of them than there is room for.
+constexpr double kLeastHeld = 1e-4;
 
 /// [m] A vertex so much beyond the thickness is taken for one that may touch.
 constexpr double kTouchWindow = 2e-5;
@@ -201,7 +205,7 @@ void find_near_of(std::size_t v, const Vec3& p, std::span<const Triangle> triang
   }
   const double bears = keep_near(v, listed, distance, window, contacts);
   // of a fold with more triangles than there is room for, the nearest do for as long as few would
-  const double least = std::max(0.5 * kNearWindow, contacts.ahead);
+  const double least = std::max(kLeastHeld, contacts.ahead);
   contacts.near_until[v] = contacts.moved + std::max(least, bears);
 }
 
@@ -269,6 +273,7 @@ void find_four(const std::array<std::size_t, 4>& places, std::size_t count,
         contact.triangle < 0 ? contacts.travelled : contacts.travelled + spare;
     contacts.held_until[places[lane]] =
         contact.triangle < 0 ? contacts.travelled : contacts.travelled + kHeldTravel * contact.gap;
+    contacts.resistance[places[lane]] = SurfaceContacts::kNotKnown;
   }
 }
 
@@ -278,20 +283,6 @@ void leave_out(VertexContact& contact) noexcept {
 }
 void take_back(VertexContact& contact) noexcept {
   if (contact.triangle < 0) contact.triangle = ~contact.triangle;
-}
-
-/// Follows a contact by the points that were nearest: n (p - sum w x) is the gap to where it was
-/// found, but for the square of how far p has slid over that point, and its gradient is that of the
-/// forces. False where it has slid too far.
-bool follow_held(const Vec3& p, const Triangle& corners, std::span<const Vec3> x_t,
-                 VertexContact& contact) noexcept {
-  const Vec3 point = contact.weights[0] * x_t[static_cast<std::size_t>(corners[0])] +
-                     contact.weights[1] * x_t[static_cast<std::size_t>(corners[1])] +
-                     contact.weights[2] * x_t[static_cast<std::size_t>(corners[2])];
-  const Vec3 offset = p - point;
-  contact.gap = contact.normal.dot(offset);
-  const double most = kHeldPart * contact.gap;
-  return contact.gap > 0.0 && (offset - contact.gap * contact.normal).squaredNorm() < most * most;
 }
 
 }  // namespace
@@ -340,23 +331,28 @@ void find_contacts(std::span<const Vec3> x_v, std::span<const Triangle> triangle
   const bool slowly = go_slowly(contacts, travel);
   if (slowly) contacts.travelled += travel;
   std::array<std::size_t, 4> lanes;
-  std::size_t count = 0;
+  std::size_t count = 0, held = 0;
+  const auto find = [&](std::size_t k) noexcept {
+    lanes[count++] = k;
+    if (count < lanes.size()) return;
+    find_four(lanes, count, x_v, triangles, x_t, contacts);
+    count = 0;
+  };
   for (std::size_t k = 0; k < active.size(); ++k) {
     if (slowly && contacts.far_until[k] > contacts.travelled) {
       leave_out(contacts.contact[k]);
-      continue;
+    } else if (slowly && contacts.held_until[k] > contacts.travelled) {
+      take_back(contacts.contact[k]);
+      contacts.held[held++] = static_cast<int>(k);
+    } else {
+      find(k);
     }
-    if (slowly && contacts.held_until[k] > contacts.travelled) {
-      VertexContact& contact = contacts.contact[k];
-      take_back(contact);
-      const Triangle& corners = triangles[static_cast<std::size_t>(contact.triangle)];
-      const Vec3& p = x_v[static_cast<std::size_t>(active[k])];
-      if (travel == 0.0 || follow_held(p, corners, x_t, contact)) continue;
-    }
-    lanes[count++] = k;
-    if (count < lanes.size()) continue;
-    find_four(lanes, count, x_v, triangles, x_t, contacts);
-    count = 0;
+  }
+  if (travel != 0.0) {
+    const auto places = std::span<const int>(contacts.held).first(held);
+    const std::size_t lapsed =
+        held_kernels::best().follow(x_v, triangles, x_t, places, contacts, contacts.lapsed);
+    for (std::size_t n = 0; n < lapsed; ++n) find(static_cast<std::size_t>(contacts.lapsed[n]));
   }
   if (count > 0) find_four(lanes, count, x_v, triangles, x_t, contacts);
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "palpate/sim/collision/private/held_kernels.h"
 #include "palpate/sim/collision/private/surface_contacts.h"
 
 namespace palpate {
@@ -14,13 +16,6 @@ Vec3 find_velocity(const TouchingSurface& surface, int vertex) noexcept {
   const auto v = static_cast<std::size_t>(vertex);
   if (!surface.touch.has_impulse) return surface.velocity[v];
   return surface.velocity[v] + surface.touch.impulse[v];
-}
-
-/// As TouchingSurface::add_force(), likewise.
-void add_force_on(const TouchingSurface& surface, int vertex, const Vec3& force) noexcept {
-  const auto v = static_cast<std::size_t>(vertex);
-  surface.touch.force[v] += force;
-  if (surface.touch.is_pushed[v] == 0) surface.add_force(vertex, Vec3::Zero());
 }
 
 /// A contact, and what moves there.
@@ -61,12 +56,11 @@ void add_impulse(const VertexContact& contact, int vertex, const Vec3& j,
 /// Likewise a force.
 void add_force(const VertexContact& contact, int vertex, const Vec3& force,
                const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
-  vertices.for_each_of(vertex,
-                       [&](int v, double w) noexcept { add_force_on(vertices, v, w * force); });
+  vertices.for_each_of(vertex, [&](int v, double w) noexcept { vertices.add_force(v, w * force); });
   const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
   for (int c = 0; c < 3; ++c) {
     const double w = contact.weights[c];
-    if (w != 0.0) add_force_on(triangles, corners[static_cast<std::size_t>(c)], -w * force);
+    if (w != 0.0) triangles.add_force(corners[static_cast<std::size_t>(c)], -w * force);
   }
 }
 
@@ -118,6 +112,90 @@ void stop_what_is_left(const SurfaceContacts& contacts, double dt, const Touchin
   }
 }
 
+/// The contacts of a substep of dt [s], as they push.
+struct Pushing {
+  double dt;
+  const TouchingSurface &vertices, &triangles;
+  SurfaceContacts& contacts;
+  bool with_energy;
+  ContactSum sum;
+  bool stopped = false;  ///< an impulse has changed velocities
+};
+
+void add_pushed(std::size_t k, double force, Pushing& pushing) noexcept {
+  const SurfaceContacts& contacts = pushing.contacts;
+  const VertexContact& contact = contacts.contact[k];
+  const int vertex = contacts.active[k];
+  ContactSum& sum = pushing.sum;
+  add_force(contact, vertex, force * contact.normal, pushing.vertices, pushing.triangles);
+  sum.least_gap = sum.touching++ == 0 ? contact.gap : std::min(sum.least_gap, contact.gap);
+  if (pushing.with_energy) {
+    sum.energy += contacts.area[static_cast<std::size_t>(vertex)] *
+                  compute_barrier_energy(contacts.barrier, contact.gap);
+  }
+  sum.force -= force * contact.normal;
+}
+
+/// [N s/m] zeta times what is critical; 0 where nothing can move.
+double find_resistance(const Barrier& barrier, double area, double inverse_mass) noexcept {
+  if (!(inverse_mass > 0.0)) return 0.0;
+  const double critical = 2.0 * std::sqrt(barrier.stiffness * area / inverse_mass);
+  return barrier.damping * critical;
+}
+
+void push_one(std::size_t k, Pushing& pushing) noexcept {
+  const SurfaceContacts& contacts = pushing.contacts;
+  const Barrier& barrier = contacts.barrier;
+  const VertexContact& contact = contacts.contact[k];
+  const int vertex = contacts.active[k];
+  const bool within = contact.gap < barrier.thickness;
+  const Moving moving = measure(contact, vertex, pushing.vertices, pushing.triangles);
+  const double area = contacts.area[static_cast<std::size_t>(vertex)];
+  double force = area * compute_pressure(barrier, contact.gap);
+  if (moving.inverse_mass > 0.0) {
+    const double resistance = find_resistance(barrier, area, moving.inverse_mass);
+    if (within) force = std::max(0.0, force - resistance * moving.speed);
+    if (const double excess = find_excess(barrier, contact, moving, pushing.dt); excess > 0.0) {
+      const double impulse = excess / moving.inverse_mass;
+      pushing.stopped = true;
+      add_impulse(contact, vertex, impulse * contact.normal, pushing.vertices, pushing.triangles);
+      force += impulse / pushing.dt;
+    }
+  }
+  if (within || force != 0.0) add_pushed(k, force, pushing);
+}
+
+/// Likewise the contacts at as many places, up to four, of surfaces that are their own particles.
+void push_four(std::span<const int> places, Pushing& pushing) noexcept {
+  SurfaceContacts& contacts = pushing.contacts;
+  std::array<int, 4> four;
+  for (std::size_t lane = 0; lane < four.size(); ++lane) {
+    const int place = four[lane] = places[std::min(lane, places.size() - 1)];
+    const auto k = static_cast<std::size_t>(place);
+    if (contacts.resistance[k] != SurfaceContacts::kNotKnown) continue;
+    const int vertex = contacts.active[k];
+    const Moving moving = measure(contacts.contact[k], vertex, pushing.vertices, pushing.triangles);
+    contacts.resistance[k] = find_resistance(
+        contacts.barrier, contacts.area[static_cast<std::size_t>(vertex)], moving.inverse_mass);
+  }
+  const held_kernels::FourForces forces =
+      held_kernels::best().push(pushing.dt, pushing.vertices, pushing.triangles, contacts, four);
+  // an impulse changes the velocities of those after it
+  const unsigned asked = (1U << places.size()) - 1U;
+  for (std::size_t lane = 0; lane < places.size(); ++lane) {
+    const auto k = static_cast<std::size_t>(places[lane]);
+    if ((forces.stopped & asked) != 0) {
+      push_one(k, pushing);
+    } else if (contacts.contact[k].gap < contacts.barrier.thickness) {
+      add_pushed(k, forces.force[lane], pushing);
+    }
+  }
+}
+
+bool is_its_particles(const TouchingSurface& surface) noexcept {
+  return surface.edges.empty() && surface.tissue.skin.corners.empty();
+}
+
 }  // namespace
 
 /// f = A (p(g) - c dg/dt) along the normal, never below 0, with c A = 2 zeta sqrt(k_A A m) of the
@@ -127,40 +205,29 @@ void stop_what_is_left(const SurfaceContacts& contacts, double dt, const Touchin
 ContactSum push_contacts(double dt, const TouchingSurface& vertices,
                          const TouchingSurface& triangles, SurfaceContacts& contacts,
                          bool with_energy) noexcept {
-  const Barrier& barrier = contacts.barrier;
   const std::span<const int> active = contacts.active_in_use();
   const double travel = find_travel(vertices, triangles);
   find_contacts(vertices.x, triangles.tissue.triangles, triangles.x, travel, contacts);
   const bool slowly = go_slowly(contacts, travel);
-  ContactSum sum;
-  bool stopped = false;
+  const bool in_fours = is_its_particles(vertices) && is_its_particles(triangles);
+  Pushing pushing{dt, vertices, triangles, contacts, with_energy, {}};
+  std::array<int, 4> places;
+  std::size_t count = 0;
   for (std::size_t k = 0; k < active.size(); ++k) {
-    const int vertex = active[k];
-    const auto v = static_cast<std::size_t>(vertex);
     const VertexContact& contact = contacts.contact[k];
-    const bool within = contact.gap < barrier.thickness;
-    if (contact.triangle < 0 || (slowly && !within)) continue;
-    const Moving moving = measure(contact, vertex, vertices, triangles);
-    const double area = contacts.area[v];
-    double force = area * compute_pressure(barrier, contact.gap);
-    if (moving.inverse_mass > 0.0) {
-      const double critical = 2.0 * std::sqrt(barrier.stiffness * area / moving.inverse_mass);
-      if (within) force = std::max(0.0, force - barrier.damping * critical * moving.speed);
-      if (const double excess = find_excess(barrier, contact, moving, dt); excess > 0.0) {
-        const double impulse = excess / moving.inverse_mass;
-        stopped = true;
-        add_impulse(contact, vertex, impulse * contact.normal, vertices, triangles);
-        force += impulse / dt;
-      }
+    if (contact.triangle < 0 || (slowly && !(contact.gap < contacts.barrier.thickness))) continue;
+    if (!in_fours) {
+      push_one(k, pushing);
+      continue;
     }
-    if (!within && force == 0.0) continue;
-    add_force(contact, vertex, force * contact.normal, vertices, triangles);
-    sum.least_gap = sum.touching++ == 0 ? contact.gap : std::min(sum.least_gap, contact.gap);
-    if (with_energy) sum.energy += area * compute_barrier_energy(barrier, contact.gap);
-    sum.force -= force * contact.normal;
+    places[count++] = static_cast<int>(k);
+    if (count < places.size()) continue;
+    push_four(places, pushing);
+    count = 0;
   }
-  if (stopped) stop_what_is_left(contacts, dt, vertices, triangles, sum);
-  return sum;
+  if (count > 0) push_four(std::span<const int>(places).first(count), pushing);
+  if (pushing.stopped) stop_what_is_left(contacts, dt, vertices, triangles, pushing.sum);
+  return pushing.sum;
 }
 
 /// The gap of a contact has the gradient n on the vertex and -w n on the corners, so that in

@@ -151,6 +151,9 @@ SurfaceContacts::SurfaceContacts(std::vector<double> areas, const SurfaceMesh& t
   contact.assign(count, {});
   far_until.assign(count, 0.0);
   held_until.assign(count, 0.0);
+  resistance.assign(count, kNotKnown);
+  held.assign(count, 0);
+  lapsed.assign(count, 0);
 }
 
 /// A vertex is looked at once in a round, and its list is found again where half of its margin is

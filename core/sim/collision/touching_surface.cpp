@@ -38,7 +38,7 @@ SurfaceTouch::SurfaceTouch(const TissueModel& tissue)
   row.assign(count, 0.0);
   force.assign(count, Vec3::Zero());
   impulse.assign(count, Vec3::Zero());
-  pushed.reserve(count);
+  pushed.assign(count, 0);
   is_pushed.assign(count, 0);
   load = Load(static_cast<int>(count));
 }
@@ -60,13 +60,13 @@ void follow_move(std::span<const Vec3> x, double elapsed, SurfaceMotion& motion)
 
 void write_load(SurfaceTouch& touch) noexcept {
   touch.load.clear();
-  for (const int vertex : touch.pushed) {
+  for (const int vertex : touch.pushed_in_use()) {
     const auto v = static_cast<std::size_t>(vertex);
     touch.load.add({touch.corner[v][0], Vec3::Unit(touch.corner[v][1]), touch.force[v]});
     touch.force[v].setZero();
     touch.is_pushed[v] = 0;
   }
-  touch.pushed.clear();
+  touch.pushed_count = 0;
 }
 
 Vec3 TouchingSurface::velocity_of(int vertex) const noexcept {
@@ -78,14 +78,6 @@ Vec3 TouchingSurface::velocity_of(int vertex) const noexcept {
     sum += skin.weights[v][k] * velocity[static_cast<std::size_t>(skin.corners[v][k])];
   }
   return sum;
-}
-
-void TouchingSurface::add_force(int vertex, const Vec3& force) const noexcept {
-  const auto v = static_cast<std::size_t>(vertex);
-  touch.force[v] += force;
-  if (touch.is_pushed[v] != 0) return;
-  touch.is_pushed[v] = 1;
-  touch.pushed.push_back(vertex);
 }
 
 void TouchingSurface::add_impulse(int vertex, const Vec3& impulse) const noexcept {

@@ -21,21 +21,21 @@ namespace {
 
 struct Entry {
   std::int64_t target;
-  ContactLanes::Find find, find_capsules;
+  ContactLanes::Find find, find_capsules, find_jaws;
   int (*width)() noexcept;
 };
 
 constexpr Entry kEntries[] = {
 #if HWY_ARCH_X86
     {HWY_AVX3, HWY_CHOOSE_AVX3(find_contacts), HWY_CHOOSE_AVX3(find_capsule_contacts),
-     HWY_CHOOSE_AVX3(count_lanes)},
+     HWY_CHOOSE_AVX3(find_jaw_contacts), HWY_CHOOSE_AVX3(count_lanes)},
     {HWY_AVX2, HWY_CHOOSE_AVX2(find_contacts), HWY_CHOOSE_AVX2(find_capsule_contacts),
-     HWY_CHOOSE_AVX2(count_lanes)},
+     HWY_CHOOSE_AVX2(find_jaw_contacts), HWY_CHOOSE_AVX2(count_lanes)},
     {HWY_SSE4, HWY_CHOOSE_SSE4(find_contacts), HWY_CHOOSE_SSE4(find_capsule_contacts),
-     HWY_CHOOSE_SSE4(count_lanes)},
+     HWY_CHOOSE_SSE4(find_jaw_contacts), HWY_CHOOSE_SSE4(count_lanes)},
 #elif HWY_ARCH_ARM
     {HWY_NEON, HWY_CHOOSE_NEON(find_contacts), HWY_CHOOSE_NEON(find_capsule_contacts),
-     HWY_CHOOSE_NEON(count_lanes)},
+     HWY_CHOOSE_NEON(find_jaw_contacts), HWY_CHOOSE_NEON(count_lanes)},
 #endif
 };
 
@@ -45,6 +45,7 @@ void choose_target(std::string_view target, ContactLanes& lanes) {
     if (!meant || !entry.find || (hwy::SupportedTargets() & entry.target) == 0) continue;
     lanes.find = entry.find;
     lanes.find_capsules = entry.find_capsules;
+    lanes.find_jaws = entry.find_jaws;
     lanes.width = entry.width();
     return;
   }

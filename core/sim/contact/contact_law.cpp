@@ -217,6 +217,46 @@ bool find_shape_contact(const Shape& shape, double rest_area, const Vec3& p, con
   return touches;
 }
 
+/// The mean of those points of ends and edges, by the squares r² - D² of how wide the capsule is
+/// where it cuts them. Of the squared distance of axis and edge plus kJawSpread of the squared one
+/// from the edge's middle the least is at
+///
+///     t = (a f - b c + kJawSpread a e/2)/(a e (1 + kJawSpread) - b²)
+///
+/// with the products of keep_nearer_on_edge(): where axis and edge turn past parallel it goes from
+/// end to end, and does not jump.
+void spread_contact(const Shape& shape, const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
+                    Contact& contact) noexcept {
+  const Capsule& capsule = shape.axes.capsules[0];
+  const Vec3 from = p + capsule.from, axis = capsule.to - capsule.from;
+  Vec3 sum = Vec3::Zero();
+  double all = 0.0;
+  const auto add = [&](const Vec3& weights, double square) noexcept {
+    const double part = std::max(0.0, shape.tool.radius * shape.tool.radius - square);
+    sum += part * weights;
+    all += part;
+  };
+  const SurfacePoint at_from = find_closest_on_triangle(from, a, b, c);
+  add(at_from.weights, at_from.distance * at_from.distance);
+  const SurfacePoint at_to = find_closest_on_triangle(p + capsule.to, a, b, c);
+  add(at_to.weights, at_to.distance * at_to.distance);
+  const std::array<Vec3, 3> corners = {a, b, c};
+  const double aa = axis.squaredNorm();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 edge = corners[(k + 1) % 3] - corners[k], r = from - corners[k];
+    const double ee = edge.squaredNorm(), ab = axis.dot(edge), ar = axis.dot(r), er = edge.dot(r);
+    const double most = kJawSpread * aa * ee;
+    const double t =
+        std::clamp(divide(aa * er - ab * ar + 0.5 * most, aa * ee - ab * ab + most), 0.0, 1.0);
+    const double s = std::clamp(divide(ab * t - ar, aa), 0.0, 1.0);
+    Vec3 weights = Vec3::Zero();
+    weights[static_cast<Eigen::Index>(k)] = 1.0 - t;
+    weights[static_cast<Eigen::Index>((k + 1) % 3)] = t;
+    add(weights, (r + s * axis - t * edge).squaredNorm());
+  }
+  if (all > 0.0) contact.weights = sum / all;
+}
+
 ClosestArm find_closest_arm(const Shape& shape, const Vec3& p, const Vec3& a, const Vec3& b,
                             const Vec3& c) noexcept {
   if (shape.axes.count == 0) {

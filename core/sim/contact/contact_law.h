@@ -26,6 +26,10 @@ inline constexpr double kFullFacing = 0.25;
 /// sin² of the angle between a capsule's axis and an edge below which they count as parallel.
 inline constexpr double kParallel = 1e-12;
 
+/// sin² of the angle between a jaw's axis and an edge within which the point that is pressed goes
+/// from end to end of the edge, on either side of parallel [contact: spread].
+inline constexpr double kJawSpread = 0.1;
+
 /// The contact of a tip at `centre` with the triangle a, b, c of `rest_area` [m²]; false where
 /// there is none, or where the centre lies behind the triangle.
 bool find_contact(const Tool& tool, double rest_area, const Vec3& centre, const Vec3& a,

@@ -34,8 +34,9 @@ struct ContactLanes {
 
   Find find = nullptr;  ///< null without vector code
   Find find_capsules = nullptr;
-  int width = 1;  ///< lanes of a vector: columns are filled up to a multiple of it
-  int count = 0;  ///< lanes that hold a triangle
+  Find find_jaws = nullptr;  ///< capsules with contacts that are spread [contact: spread]
+  int width = 1;             ///< lanes of a vector: columns are filled up to a multiple of it
+  int count = 0;             ///< lanes that hold a triangle
   std::vector<int> triangle;
   std::array<Column, 9> corners;  ///< [m] x, y, z of the first corner, of the second, of the third
   Column rest_area;               ///< [m²]

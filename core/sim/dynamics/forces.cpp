@@ -196,6 +196,12 @@ void accumulate_push_forces(std::span<const Triangle> triangles, const Skin& ski
   }
 }
 
+void accumulate_load_forces(const TissueModel& model, const Load& load,
+                            std::span<Vec3> f) noexcept {
+  accumulate_push_forces(model.triangles, model.skin, load.pushes(), f);
+  for (const auto& [particle, force] : load.forces) f[static_cast<std::size_t>(particle)] += force;
+}
+
 void compute_forces(const TissueModel& model, const Load& load, std::span<const Vec3> x,
                     std::span<const Vec3> v, std::span<Vec3> f,
                     std::span<const double> internal) noexcept {
@@ -207,7 +213,7 @@ void compute_forces(const TissueModel& model, const Load& load, std::span<const 
   if (model.pressure != 0.0) accumulate_pressure_forces(model.triangles, model.pressure, x, f);
   if (load.gravity != Vec3::Zero()) accumulate_gravity(model.mass, load.gravity, f);
   if (model.drag != 0.0) accumulate_drag(model.mass, model.drag, v, f);
-  accumulate_push_forces(model.triangles, model.skin, load.pushes(), f);
+  accumulate_load_forces(model, load, f);
 }
 
 }  // namespace palpate

@@ -79,13 +79,14 @@ double compute_field_work(const TissueModel& model, const Vec3& gravity, const V
 }
 
 /// The link that is stretched most, in `longest` if it is too long; returns the first that has
-/// collapsed.
-Alarm check_links(const Links& links, const Vec3Array& x, int first_index,
-                  Alarm& longest) noexcept {
+/// collapsed. Not asked of those that are `torn`.
+Alarm check_links(const Links& links, const Vec3Array& x, std::size_t first_index,
+                  std::span<const unsigned char> torn, Alarm& longest) noexcept {
   for (std::size_t l = 0; l < links.ends.size(); ++l) {
+    if (!torn.empty() && torn[first_index + l] != 0) continue;
     const double length = (x[links.ends[l][1]] - x[links.ends[l][0]]).norm();
     const double part = length / links.rest_length[l];
-    const auto index = first_index + static_cast<int>(l);
+    const auto index = static_cast<int>(first_index + l);
     if (part - 1.0 > std::max(kLargestStrain, longest.value)) {
       longest = {AlarmKind::overstretched, index, part - 1.0, kLargestStrain};
     }
@@ -153,9 +154,9 @@ Alarm check_particles(const State& state, const Guard& guard, int steps) noexcep
 
 Alarm check_strains(const TissueModel& model, const Vec3Array& x, Guard& guard) noexcept {
   Alarm longest;
-  Alarm alarm = check_links(model.springs, x, 0, longest);
-  const auto springs = static_cast<int>(model.springs.ends.size());
-  if (!alarm) alarm = check_links(model.bonds, x, springs, longest);
+  Alarm alarm = check_links(model.springs, x, 0, guard.torn_links, longest);
+  const std::size_t springs = model.springs.ends.size();
+  if (!alarm) alarm = check_links(model.bonds, x, springs, guard.torn_links, longest);
   if (!alarm) alarm = check_volumes(model.volumes, x);
   if (!alarm) alarm = check_volumes(model.corotated, model.rest_position, x);
   if (!alarm) alarm = check_volumes(model.neo_hookean, model.rest_position, x);
@@ -230,7 +231,7 @@ Alarm check(const TissueModel& model, const Vec3& gravity, const State& state, d
   const Alarm strained = alarm ? Alarm{} : check_strains(model, state.position, guard);
   if (!alarm) {
     const double elapsed = std::max(0.0, state.time - guard.last_time);
-    const double energy = compute_least_energy(model, state, elapsed / steps);
+    const double energy = compute_least_energy(model, state, elapsed / steps) - guard.torn_energy;
     const double field = compute_field_work(model, gravity, guard.last_position, state.position);
     alarm = check_energy(model, energy, work + field, elapsed, guard);
   }

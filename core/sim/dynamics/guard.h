@@ -74,6 +74,9 @@ struct Guard {
   double reference_energy = 0.0;      ///< [J] E_ref: the most that has lately been given
   int rising_steps = 0;               ///< checks in a row at which energy rose without work
   int strained_checks = 0;            ///< in a row at which a link or volume was out of bounds
+  double torn_energy = 0.0;  ///< [J] of what has torn: the model has it, and the tissue has not
+  /// 1 of each link that has torn and may have any length, springs before bonds; may be empty
+  std::vector<unsigned char> torn_links;
 };
 
 /// Checks a tissue after a step; the first thing wrong comes back. `work` [J] is what pushes

@@ -219,7 +219,7 @@ double kick(const TissueModel& model, const Load& load, double dt, State& state)
   for (const int i : model.fixed) state.velocity[static_cast<std::size_t>(i)].setZero();
   const double before = sum_over_pushes(load.pushes(), model, state.velocity);
   std::fill(state.force.begin(), state.force.end(), Vec3::Zero());
-  accumulate_push_forces(model.triangles, model.skin, load.pushes(), state.force);
+  accumulate_load_forces(model, load, state.force);
   for_each_free(model, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     state.velocity[at] += (dt / model.mass[at]) * state.force[at];

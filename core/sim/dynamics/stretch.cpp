@@ -21,10 +21,6 @@ void add_part(double length, double rest, Stretch& stretch) noexcept {
   stretch.shortest = std::min(stretch.shortest, part);
 }
 
-double measure_distance(std::span<const Vec3> x, int i, int j) noexcept {
-  return (x[static_cast<std::size_t>(j)] - x[static_cast<std::size_t>(i)]).norm();
-}
-
 /// How many times as stiff links are as they are alone.
 double scale_links(const TissueModel& model) {
   double scale = 1.0;
@@ -208,15 +204,22 @@ void add_strains(const TissueModel& model, std::span<const Vec3> x, Stretch& str
 
 }  // namespace
 
-Stretch measure_stretch(const TissueModel& model, std::span<const Vec3> x) noexcept {
+Stretch measure_stretch(const TissueModel& model, std::span<const Vec3> x,
+                        const TornMask& torn) noexcept {
+  const auto is_torn = [](std::span<const unsigned char> mask, std::size_t i) noexcept {
+    return !mask.empty() && mask[i] != 0;
+  };
   Stretch stretch;
+  std::size_t link = 0;
   for (const Links* links : {&model.springs, &model.bonds}) {
     for (std::size_t l = 0; l < links->ends.size(); ++l) {
+      if (is_torn(torn.links, link++)) continue;
       const auto [i, j] = links->ends[l];
       add_part(measure_distance(x, i, j), links->rest_length[l], stretch);
     }
   }
   for (std::size_t row = 0; row < model.angles.corners.size(); ++row) {
+    if (is_torn(torn.triangles, row)) continue;
     const auto [i, j, k] = model.angles.corners[row];
     const auto& rest = model.angles.rest_length[row];
     add_part(measure_distance(x, j, k), rest[0], stretch);

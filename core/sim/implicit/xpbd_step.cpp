@@ -53,7 +53,7 @@ class Xpbd final : public StepSolver {
       accumulate_pressure_forces(model_.triangles, model_.pressure, state.position, state.force);
     }
     accumulate_gravity(model_.mass, load.gravity, state.force);
-    accumulate_push_forces(model_.triangles, model_.skin, load.pushes(), state.force);
+    accumulate_load_forces(model_, load, state.force);
     particles_.start = state.position;
     particles_.internal = state.internal;
     particles_.dt = dt;

@@ -23,6 +23,9 @@ struct BodySnapshot {
   Vec3Array position;  ///< [m] of the vertices of the surface
   int substeps = 0;
   Safeguard safeguard = Safeguard::none;  ///< of that tick
+  /// [-] of each vertex, 0 where all is whole to 1 where something bears nothing any more
+  /// [contact: tear]; empty of a body that does not tear
+  std::vector<float> torn;
 };
 
 /// A rigid body as a reader sees it.

@@ -148,6 +148,7 @@ void check_measure(const Scene& scene, const Task& task, std::size_t l) {
   if (is_yes_or_no(measure) && !limit.above) {
     const char* wrong = is(TaskMeasure::contact) ? "contact"
                         : is(TaskMeasure::loose) ? "what is loose"
+                        : is(TaskMeasure::torn)  ? "what has torn"
                                                  : "what is not seen";
     refuse(name_row("limits", l, "above"), "false",
            write_text("true: ", wrong, " is what can be wrong"));
@@ -160,8 +161,14 @@ void check_measure(const Scene& scene, const Task& task, std::size_t l) {
     refuse(name_row("limits", l, "instrument"), "the one that sees", "one that another sees");
   }
   const auto tool = static_cast<std::size_t>(limit.instrument);
-  if (is(TaskMeasure::loose) && !scene.instruments[tool].tool.jaws) {
+  const bool needs_jaws = is(TaskMeasure::loose, TaskMeasure::pad_pressure);
+  if (needs_jaws && !scene.instruments[tool].tool.jaws) {
     refuse(name_row("limits", l, "instrument"), "one without jaws", "a grasper");
+  }
+  const auto tears = [](const SoftBody& body) { return body.tear_stretch > 0.0; };
+  if (is(TaskMeasure::torn) && std::ranges::none_of(scene.bodies, tears)) {
+    refuse(name_row("limits", l, "measure"), "what has torn",
+           "another: no tissue of the scene has a tear_stretch");
   }
   if (needs) check_index(where, limit.place, 0, task.places.size());
   if (limit.place < 0) return;

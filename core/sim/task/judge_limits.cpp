@@ -43,6 +43,11 @@ double Judgement::measure_limit(const TaskLimit& limit) const noexcept {
       return is_watched_there(limit) && !is_in_view(task_, world_, i) ? 1.0 : 0.0;
     case TaskMeasure::object_force:
       return world_.rigid[static_cast<std::size_t>(place(limit.place).body)].tissue_force.norm();
+    case TaskMeasure::pad_pressure:
+      return world_.instruments[i].tool.pad_pressure;
+    case TaskMeasure::torn:
+      return std::ranges::any_of(
+          world_.bodies, [](const SoftState& body) noexcept { return body.torn_count > 0; });
   }
   return 0.0;
 }

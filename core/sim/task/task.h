@@ -98,12 +98,14 @@ enum class TaskMeasure {
   /// while the tip is in that
   out_of_view,
   object_force,  ///< [N] all with which tissue pushes an object
+  pad_pressure,  ///< [Pa] of jaws on what is touched of their pads
+  torn,          ///< [-] 1 once a tissue has torn, else 0: above 0
 };
 
 /// Whether what it watches is or is not, so that its bound is 0 and it is wrong above that.
 inline bool is_yes_or_no(TaskMeasure measure) noexcept {
   return measure == TaskMeasure::contact || measure == TaskMeasure::loose ||
-         measure == TaskMeasure::out_of_view;
+         measure == TaskMeasure::out_of_view || measure == TaskMeasure::torn;
 }
 
 enum class LimitConsequence { warn, error, end };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <bit>
 
+#include "palpate/sim/tick/private/world_internals.h"
 #include "palpate/sim/tick/tick.h"
 
 namespace palpate {
@@ -102,6 +103,18 @@ void add_jaws(const ToolState& tool, Hash& hash) noexcept {
   hash.add(tool.felt_before);
 }
 
+/// Of tissue that has torn.
+void add_tears(const SoftState& body, Hash& hash) noexcept {
+  const Tear& tear = internals(body).tear;
+  for (std::size_t k = 0; k < tear.damage().size(); ++k) {
+    const TearPart& part = tear.torn_part(k);
+    for (int c = 0; c < part.corner_count; ++c) {
+      hash.add(static_cast<std::uint64_t>(part.corners[static_cast<std::size_t>(c)]));
+    }
+    hash.add(tear.damage()[k]);
+  }
+}
+
 /// Only where a device bounds it.
 void add_coupling(const DeviceCoupling& device, Hash& hash) noexcept {
   if (device.stiffness == 0.0) return;
@@ -133,6 +146,7 @@ std::array<std::uint64_t, 2> compute_hash(const World& world) noexcept {
     add_jaws(instrument.tool, hash);
     add_coupling(instrument.device, hash);
   }
+  for (const SoftState& body : world.bodies) add_tears(body, hash);
   for (const RigidState& state : world.rigid) {
     hash.add(state.position);
     for (int k = 0; k < 4; ++k) hash.add(state.orientation.coeffs()[k]);

@@ -12,6 +12,7 @@
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
+#include "palpate/sim/grasp/private/tear.h"
 #include "palpate/sim/implicit/private/step_solver.h"
 #include "palpate/sim/mesh/private/triangle_areas.h"
 #include "palpate/sim/model/tissue_model.h"
@@ -220,6 +221,7 @@ void validate(const SoftBody& body, const Scene& scene, const Place& place) {
     palpate::refuse("scene: " + place("tied_holds"), "true without a contact_modulus",
                     "false: under the hard law holds are fastened to vertices");
   }
+  check_tear(body.tissue, body.tear_stretch, "scene: " + place("tear_stretch"));
   check_integrator("scene: " + place(""), body.tissue, body.integrator, body.iterations);
   check_force_error(body, scene, place);
   check_target(place("simd_target"), body.simd_target);

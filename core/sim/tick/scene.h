@@ -59,6 +59,9 @@ struct SoftBody {
   /// Of a body with a contact_modulus: what a tool holds gives way as tissue does under it
   /// [contact: hold]; else as the mesh does where it is fastened
   bool tied_holds = false;
+  /// [-] A link in jaws that is more than so many times as long as at rest, for 5 ms, tears, and
+  /// its force fades over 50 ms [contact: tear]. 0: nothing tears
+  double tear_stretch = 0.0;
 
   /// Parts of its surface may touch others of it: build_scene adds a BodyPair of it with itself
   bool may_fold = false;

@@ -154,10 +154,11 @@ void balance_instruments(const Scene& scene, double dt, World& world) noexcept {
     HandMotion& motion = workspace(world).hands[i];
     const Instrument& its = scene.instruments[i];
     const Coupling coupling = find_limited_coupling(scene, i, world);
-    motion.felt += its.tool.jaws ? balance_jaws(its.tool, coupling, motion.hand,
-                                                list_jaw_surfaces(scene, i, world), dt, tool)
-                                 : balance_tool(its.tool, coupling, motion.hand,
-                                                list_surfaces(scene, i, world), tool);
+    motion.felt +=
+        its.tool.jaws
+            ? balance_jaws(its.tool, coupling, motion.hand, list_jaw_surfaces(scene, i, world), dt,
+                           tool, motion.most_fall)
+            : balance_tool(its.tool, coupling, motion.hand, list_surfaces(scene, i, world), tool);
     if (watch.on()) note_balance(watch.lap(), i, world);
   }
 }
@@ -258,6 +259,7 @@ void settle_bodies(const Scene& scene, double dt, World& world) noexcept {
   Stopwatch watch(world.measures_costs);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     if (world.bodies[b].asleep) continue;
+    tear_links(scene, b, dt, world);
     settle_moving(world.bodies[b]);
     fall_asleep(scene, b, dt, world);
     watch.add_to(world.costs.bodies[b].guard);

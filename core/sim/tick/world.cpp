@@ -169,6 +169,7 @@ BodyInternals::BodyInternals(const Scene& scene, const SoftBody& body, const Sof
     for (const auto& internal : packed->state.internal) numbers += internal.size();
     rest.copy.resize(numbers * sizeof(float));
   }
+  tear = Tear(body.tissue, body.tear_stretch);
   if (scene.bodies.size() > 1 || !scene.rigid.empty())
     mean_load = MeanLoad(body.tissue.triangles, count_surface(body));
 }
@@ -183,6 +184,9 @@ SoftState::SoftState(const Scene& scene, const SoftBody& body)
       substeps(body.substeps) {
   load.gravity = find_gravity(scene, body);
   move_skin(body.tissue.skin, tissue.position, skin);
+  if (body.tear_stretch > 0.0) {
+    guard.torn_links.assign(body.tissue.springs.ends.size() + body.tissue.bonds.ends.size(), 0);
+  }
   internals_ = Owned(BodyInternals(scene, body, *this));
 }
 
@@ -270,6 +274,7 @@ std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t in
                    &pair.load,
                    find_near_field(scene.instruments[instrument].tool, body),
                    {from, count}};
+    surfaces[b].springs = is_wall(body.tissue) && body.tissue.prisms.corners.empty();
     if (body.near_field) {
       surfaces[b].wall_thickness = body.near_field->wall_thickness;
       surfaces[b].wall_modulus = body.near_field->modulus;

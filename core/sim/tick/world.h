@@ -51,13 +51,14 @@ enum class Safeguard {
 struct SoftState {
   SoftState(const Scene& scene, const SoftBody& body);
 
-  State tissue;      ///< (move_tissue, end_moving)
-  Vec3Array skin;    ///< [m] the vertices of the skin; empty without one (move_tissue, end_moving)
-  AabbTree tree;     ///< where not all is followed, of boxes up to two rounds old (follow_tissue)
-  Guard guard;       ///< (end_moving)
-  Stretch stretch;   ///< (end_moving)
-  Load load;         ///< of the last step: what all instruments do (balance_instruments)
-  int substeps = 0;  ///< of the last tick (choose_substeps)
+  State tissue;     ///< (move_tissue, end_moving)
+  Vec3Array skin;   ///< [m] the vertices of the skin; empty without one (move_tissue, end_moving)
+  AabbTree tree;    ///< where not all is followed, of boxes up to two rounds old (follow_tissue)
+  Guard guard;      ///< (end_moving)
+  Stretch stretch;  ///< (end_moving)
+  int torn_count = 0;  ///< links that have torn since the start [contact: tear] (tear_links)
+  Load load;           ///< of the last step: what all instruments do (balance_instruments)
+  int substeps = 0;    ///< of the last tick (choose_substeps)
   Safeguard safeguard = Safeguard::none;  ///< of the last tick (calm_down, climb)
   Alarm averted;  ///< the last alarm that a safeguard has averted; none so far (climb)
   /// It has come to rest far from every instrument, and ticks leave it out until one comes near:

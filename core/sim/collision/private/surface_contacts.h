@@ -36,6 +36,7 @@ struct VertexContact {
 struct SurfaceContacts {
   static constexpr std::size_t kMostListed = 24;  ///< with more, the nearest of them
   static constexpr std::size_t kMostNear = 6;     ///< likewise
+  static constexpr double kNotKnown = -1.0;
 
   SurfaceContacts() = default;
   /// `triangles` of the second surface; `same` where it is the first as well.
@@ -77,6 +78,11 @@ struct SurfaceContacts {
   std::vector<VertexContact> contact;  ///< of the active ones, as they are; none of those far off
   std::vector<double> far_until;   ///< [m] of `travelled`, per active one: farther off till then
   std::vector<double> held_until;  ///< [m] likewise: `contact` follows where it was found till then
+  std::vector<int> held, lapsed;   ///< room for places of active ones
+
+  // (push_contacts)
+  std::vector<double> resistance;  ///< [N s/m] of the damping, per active one, until it is found
+                                   ///< again; kNotKnown where nobody has asked
 
   std::span<const int> active_in_use() const noexcept {
     return std::span(active).first(static_cast<std::size_t>(active_count));

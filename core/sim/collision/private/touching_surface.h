@@ -46,8 +46,13 @@ struct SurfaceTouch : SurfaceMotion {
   Vec3Array impulse;         ///< [m/s] per vertex, of impulses since its last step
   bool has_impulse = false;  ///< some of them are not 0
   std::vector<int> pushed;   ///< vertices with a force; capacity
+  int pushed_count = 0;      ///< how many of them are in use
   std::vector<unsigned char> is_pushed;  ///< whether in `pushed`
   Load load;                             ///< the forces of the last substep, gravity aside
+
+  std::span<const int> pushed_in_use() const noexcept {
+    return std::span(pushed).first(static_cast<std::size_t>(pushed_count));
+  }
 };
 
 /// Measures how far a surface at x [m] has gone since this was called last, `elapsed` [s] ago; 0
@@ -67,7 +72,13 @@ struct TouchingSurface {
 
   /// [m/s] With what impulses have done to it.
   Vec3 velocity_of(int vertex) const noexcept;
-  void add_force(int vertex, const Vec3& force) const noexcept;
+  void add_force(int vertex, const Vec3& force) const noexcept {
+    const auto v = static_cast<std::size_t>(vertex);
+    touch.force[v] += force;
+    if (touch.is_pushed[v] != 0) return;
+    touch.is_pushed[v] = 1;
+    touch.pushed[static_cast<std::size_t>(touch.pushed_count++)] = vertex;
+  }
   /// An impulse [N s].
   void add_impulse(int vertex, const Vec3& impulse) const noexcept;
 

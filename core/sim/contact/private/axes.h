@@ -48,6 +48,17 @@ bool find_shape_contact(const Shape& shape, double rest_area, const Vec3& p, con
                         const Vec3& b, const Vec3& c, Contact& contact,
                         const Openness& open = {}) noexcept;
 
+/// A jaw on a wall of springs presses where it lies on a triangle, on the mean of the ends of that
+/// line by their depths, and not on the closer end alone [contact: spread].
+inline bool spreads(const Shape& shape, bool springs) noexcept {
+  return springs && shape.tool.jaws && shape.axes.count == 1;
+}
+
+/// Moves the point of the contact of a shape at p [m] that spreads; how hard it presses, and in
+/// which direction, stays that of the closest point.
+void spread_contact(const Shape& shape, const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c,
+                    Contact& contact) noexcept;
+
 /// The point of a triangle that is closest to a shape at p [m], and the arm from there to its axis,
 /// a ball's centre.
 struct ClosestArm {

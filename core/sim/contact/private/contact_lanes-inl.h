@@ -151,12 +151,13 @@ HWY_INLINE OnEdge find_axis_on_edge(const Points& from, const Points& axis, cons
           add_scaled(hn::Neg(t), edge, add_scaled(s, axis, r))};
 }
 
-/// The closest points of a capsule's axis and a triangle that it does not cross.
+/// The closest points of a capsule's axis and a triangle that it does not cross, of those of both
+/// ends and of the edges.
 HWY_INLINE Closest find_closest_of_axis(const Points& from, const Points& to, const Points& a,
-                                        const Points& b, const Points& c) {
+                                        const Points& b, const Points& c, const Closest& at_from,
+                                        const Closest& at_to) {
   const Real zero = hn::Zero(kLanes);
-  Closest best = find_closest(from, a, b, c);
-  const Closest at_to = find_closest(to, a, b, c);
+  Closest best = at_from;
   keep_nearer(at_to.weights, at_to.arm, best);
   const Points axis = to - from;
   const OnEdge ab = find_axis_on_edge(from, axis, a, b - a);
@@ -166,6 +167,59 @@ HWY_INLINE Closest find_closest_of_axis(const Points& from, const Points& to, co
   const OnEdge ca = find_axis_on_edge(from, axis, c, a - c);
   keep_nearer({ca.end, zero, ca.start}, ca.arm, best);
   return best;
+}
+
+/// Weights of points of a triangle, by the squares of how wide the capsule is where it cuts them.
+struct Spread {
+  Points weights;
+  Real all;
+};
+
+HWY_INLINE void add_point(double radius, const Points& weights, const Real square, Spread& sum) {
+  const Real part = hn::Max(hn::Zero(kLanes), hn::Sub(hn::Set(kLanes, radius * radius), square));
+  sum.weights = add_scaled(part, weights, sum.weights);
+  sum.all = hn::Add(sum.all, part);
+}
+
+/// Weights of the point of an edge at t, of its start and end.
+struct SpreadOnEdge {
+  Real start, end, square;
+};
+
+HWY_INLINE SpreadOnEdge spread_on_edge(const Points& from, const Points& axis, const Points& start,
+                                       const Points& edge) {
+  const Points r = from - start;
+  const Real aa = dot(axis, axis), ee = dot(edge, edge), ab = dot(axis, edge);
+  const Real ar = dot(axis, r), er = dot(edge, r);
+  const Real whole = hn::Mul(aa, ee), most = hn::Mul(hn::Set(kLanes, kJawSpread), whole);
+  const Real over =
+      hn::Add(hn::MulSub(aa, er, hn::Mul(ab, ar)), hn::Mul(hn::Set(kLanes, 0.5), most));
+  const Real t = clamp_unit(divide(over, hn::Add(hn::NegMulAdd(ab, ab, whole), most)));
+  const Real s = clamp_unit(divide(hn::MulSub(ab, t, ar), aa));
+  const Points arm = add_scaled(hn::Neg(t), edge, add_scaled(s, axis, r));
+  return {hn::Sub(hn::Set(kLanes, 1.0), t), t, dot(arm, arm)};
+}
+
+/// spread_contact() with the closest points of both ends of the axis.
+HWY_INLINE void spread(double radius, const Points& from, const Points& axis, const Points& a,
+                       const Points& b, const Points& c, const Closest& at_from,
+                       const Closest& at_to, Closest& best) {
+  const Real zero = hn::Zero(kLanes);
+  Spread sum{{zero, zero, zero}, zero};
+  add_point(radius, at_from.weights, at_from.square, sum);
+  add_point(radius, at_to.weights, at_to.square, sum);
+  const SpreadOnEdge ab = spread_on_edge(from, axis, a, b - a);
+  add_point(radius, {ab.start, ab.end, zero}, ab.square, sum);
+  const SpreadOnEdge bc = spread_on_edge(from, axis, b, c - b);
+  add_point(radius, {zero, bc.start, bc.end}, bc.square, sum);
+  const SpreadOnEdge ca = spread_on_edge(from, axis, c, a - c);
+  add_point(radius, {ca.end, zero, ca.start}, ca.square, sum);
+  const auto pressed = hn::Gt(sum.all, zero);
+  const Real inverse =
+      hn::Div(hn::Set(kLanes, 1.0), hn::IfThenElse(pressed, sum.all, hn::Set(kLanes, 1.0)));
+  const Points mean = {hn::Mul(sum.weights.x, inverse), hn::Mul(sum.weights.y, inverse),
+                       hn::Mul(sum.weights.z, inverse)};
+  best.weights = choose(pressed, mean, best.weights);
 }
 
 /// The law of find_contact for the lanes from `at` on, of triangles a, b, c.
@@ -219,15 +273,31 @@ void find_contacts(ContactLanes& lanes, double radius, double stiffness) noexcep
   }
 }
 
-void find_capsule_contacts(ContactLanes& lanes, double radius, double stiffness) noexcept {
+template <bool spreads>
+HWY_INLINE void find_axis_contacts(ContactLanes& lanes, double radius, double stiffness) {
   const Points p = load_centre(lanes);
   for (std::size_t at = 0; at < static_cast<std::size_t>(lanes.count); at += hn::MaxLanes(kLanes)) {
     const Points a = load_points(lanes.corners, 0, at), b = load_points(lanes.corners, 3, at);
     const Points c = load_points(lanes.corners, 6, at);
     const Points from = p + load_points(lanes.axis, 0, at), to = p + load_points(lanes.axis, 3, at);
-    write_contacts_at(at, radius, stiffness, find_closest_of_axis(from, to, a, b, c), a, b, c,
-                      lanes);
+    const Closest at_from = find_closest(from, a, b, c), at_to = find_closest(to, a, b, c);
+    Closest best = find_closest_of_axis(from, to, a, b, c, at_from, at_to);
+    if constexpr (spreads) {
+      const auto pressed = hn::Lt(best.square, hn::Set(kLanes, radius * radius));
+      if (!hn::AllFalse(kLanes, pressed)) {
+        spread(radius, from, to - from, a, b, c, at_from, at_to, best);
+      }
+    }
+    write_contacts_at(at, radius, stiffness, best, a, b, c, lanes);
   }
+}
+
+void find_capsule_contacts(ContactLanes& lanes, double radius, double stiffness) noexcept {
+  find_axis_contacts<false>(lanes, radius, stiffness);
+}
+
+void find_jaw_contacts(ContactLanes& lanes, double radius, double stiffness) noexcept {
+  find_axis_contacts<true>(lanes, radius, stiffness);
 }
 
 int count_lanes() noexcept { return static_cast<int>(hn::MaxLanes(kLanes)); }

@@ -102,9 +102,12 @@ inline bool find_lane_contact(const Shape& shape, const TouchedSurface& surface,
     one.axes.capsules[0] = shape.axes.list()[static_cast<std::size_t>(lanes.capsule[lane])];
     one.axes.count = 1;
   }
-  return find_shape_contact(one, lanes.rest_area[lane], p, corner_at(surface, t, 0),
-                            corner_at(surface, t, 1), corner_at(surface, t, 2), contact,
-                            find_openness(*surface.candidates, t));
+  const Vec3 &a = corner_at(surface, t, 0), &b = corner_at(surface, t, 1),
+             &c = corner_at(surface, t, 2);
+  const bool touches = find_shape_contact(one, lanes.rest_area[lane], p, a, b, c, contact,
+                                          find_openness(*surface.candidates, t));
+  if (touches && spreads(shape, surface.springs)) spread_contact(one, p, a, b, c, contact);
+  return touches;
 }
 
 /// Again those of triangles with a border, which vector code knows nothing of.
@@ -126,20 +129,57 @@ inline void find_at_border(const Shape& shape, const TouchedSurface& surface,
   }
 }
 
+/// Part of the radius by which a tool may move on, within a substep, with the lanes that it has.
+inline constexpr double kLaneMargin = 0.125;
+
+inline void copy_lane(std::size_t from, std::size_t to, ContactLanes& lanes) noexcept {
+  const auto copy = [&](auto& columns) noexcept {
+    for (auto& column : columns) column[to] = column[from];
+  };
+  lanes.triangle[to] = lanes.triangle[from];
+  lanes.border[to] = lanes.border[from];
+  if (!lanes.capsule.empty()) {
+    lanes.capsule[to] = lanes.capsule[from];
+    copy(lanes.axis);
+  }
+  copy(lanes.corners);
+  copy(lanes.weights);
+  copy(lanes.direction);
+  for (auto* column : {&lanes.rest_area, &lanes.distance, &lanes.force, &lanes.stiffness}) {
+    (*column)[to] = (*column)[from];
+  }
+}
+
+/// Leaves out the lanes, found at p, of triangles whose box is within reach and which are not.
+inline void drop_far_lanes(const Vec3& p, double reach, ContactLanes& lanes) noexcept {
+  std::size_t kept = 0;
+  for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes.count); ++lane) {
+    if (!(lanes.distance[lane] < reach)) continue;
+    if (kept != lane) copy_lane(lane, kept, lanes);
+    ++kept;
+  }
+  lanes.count = static_cast<int>(kept);
+  lanes.filled_at = p;
+  lanes.reach = reach;
+}
+
 /// Contacts at p of all lanes; once for each p. The tool's steps within a substep are far shorter
 /// than its radius, so that the lanes filled at its beginning mostly do for all.
 inline void find_in_lanes(const Shape& shape, const TouchedSurface& surface,
                           const Vec3& p) noexcept {
   ContactLanes& lanes = surface.candidates->lanes;
   const double radius = shape.tool.radius;
-  if (!((p - lanes.filled_at).norm() + radius <= lanes.reach)) {
-    fill_lanes(surface, shape.axes, p, 1.5 * radius);
-  }
+  const double reach = (1.0 + kLaneMargin) * radius;
+  const bool fills = !((p - lanes.filled_at).norm() + radius <= lanes.reach);
+  if (fills) fill_lanes(surface, shape.axes, p, reach);
   if (lanes.found && lanes.centre == p) return;
   lanes.centre = p;
   lanes.side = find_openness(*surface.candidates, 0).side;
-  const auto find = shape.axes.count == 0 ? lanes.find : lanes.find_capsules;
+  const auto find = shape.axes.count == 0             ? lanes.find
+                    : spreads(shape, surface.springs) ? lanes.find_jaws
+                                                      : lanes.find_capsules;
   find(lanes, radius, shape.tool.stiffness);
+  if (fills) drop_far_lanes(p, reach, lanes);
   if (surface.candidates->at_border) find_at_border(shape, surface, p);
   lanes.found = true;
 }
@@ -175,6 +215,7 @@ template <class Take>
 void for_each_closest(const Shape& shape, const TouchedSurface& surface, const Vec3& p,
                       Take take) noexcept {
   const Candidates& candidates = *surface.candidates;
+  if (candidates.count == 0) return;
   const ContactLanes& lanes = candidates.lanes;
   if (lanes.find != nullptr && shape.axes.count > 0) {
     find_in_lanes(shape, surface, p);
@@ -195,11 +236,14 @@ void for_each_closest(const Shape& shape, const TouchedSurface& surface, const V
   Contact contact;
   for (std::size_t i = 0; i < static_cast<std::size_t>(candidates.count); ++i) {
     const int t = candidates.triangles[i];
-    if (find_shape_contact(shape, candidates.areas[i], p, corner_at(surface, t, 0),
-                           corner_at(surface, t, 1), corner_at(surface, t, 2), contact,
-                           find_openness(candidates, t))) {
-      take(t, contact);
+    const Vec3 &a = corner_at(surface, t, 0), &b = corner_at(surface, t, 1),
+               &c = corner_at(surface, t, 2);
+    if (!find_shape_contact(shape, candidates.areas[i], p, a, b, c, contact,
+                            find_openness(candidates, t))) {
+      continue;
     }
+    if (spreads(shape, surface.springs)) spread_contact(shape, p, a, b, c, contact);
+    take(t, contact);
   }
 }
 

@@ -21,6 +21,7 @@ struct TouchedSurface {
   std::span<const NearContacts* const> others = {};  ///< of other instruments, under the near field
   double wall_thickness = 0.0;                       ///< [m] of prisms; 0 of what has none
   double wall_modulus = 0.0;                         ///< [Pa] E* of such a wall
+  bool springs = false;                              ///< of a wall that has nothing else
 };
 
 /// The pushes of all surfaces cancel the hand's spring, and each gets its own into its load.

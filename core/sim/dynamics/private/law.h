@@ -19,6 +19,11 @@
 
 namespace palpate {
 
+struct Load;
+
+/// Adds to f [N] all that a load does but its gravity.
+void accumulate_load_forces(const TissueModel& model, const Load& load, std::span<Vec3> f) noexcept;
+
 /// Ends a step of dt [s] that has moved the particles: internal variables follow, each law by its
 /// own equation, over the step as a whole. Forces within a step take them as they were before it.
 void advance_internal(const TissueModel& model, double dt, State& state) noexcept;

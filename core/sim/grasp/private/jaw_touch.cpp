@@ -43,26 +43,37 @@ void turn_to(const JawSurroundings& around, double angle, JawPlace& place) noexc
 JawTouch compute_touch(const JawSurroundings& around, const JawPlace& place) noexcept {
   JawTouch touch;
   touch.smallest_distance = around.tool.radius;
+  std::array<double, 9> stiffness{};  // [N/m], column after column
+  std::array<Vec3, 2> along;
+  std::array<double, 2> length;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Capsule& axis = place.jaws.axis_of(static_cast<int>(j));
+    along[j] = axis.to - axis.from;
+    length[j] = along[j].norm();
+  }
   for_each_of_jaws(around, place, [&](int jaw, int body, int t, const Contact& contact) noexcept {
     touch.smallest_distance = std::min(touch.smallest_distance, contact.distance);
     if (!(contact.force > 0.0)) return;
+    const auto j = static_cast<std::size_t>(jaw);
     const Vec3 at = find_at(around, place, jaw, body, t, contact);
     const Vec3& n = contact.direction;
     const Vec3 move = place.jaws.move(jaw, at);
     const double turns = n.dot(move);
     touch.force += contact.force * n;
     touch.torque += contact.force * turns;
-    touch.stiffness += contact.stiffness * (n * n.transpose());
+    const Vec3 rise = contact.stiffness * n;
+    for (std::size_t k = 0; k < stiffness.size(); ++k) {
+      stiffness[k] += rise[static_cast<Eigen::Index>(k % 3)] * n[static_cast<Eigen::Index>(k / 3)];
+    }
     touch.mixed += (contact.stiffness * turns) * n;
     touch.angular += contact.stiffness * turns * turns;
     touch.touches = true;
-    const Capsule& axis = place.jaws.axis_of(jaw);
-    const Vec3 along = axis.to - axis.from;
-    const double length = along.norm();
-    const double where = std::clamp((at - axis.from).dot(along) / length, 0.0, length);
+    const double where =
+        std::clamp((at - place.jaws.axis_of(jaw).from).dot(along[j]) / length[j], 0.0, length[j]);
     add_pressed(surface_of(around, jaw, body), contact.force, where, turns / move.norm(),
-                touch.pressed[static_cast<std::size_t>(jaw)]);
+                touch.pressed[j]);
   });
+  touch.stiffness = Eigen::Map<const Mat3>(stiffness.data());
   return touch;
 }
 

@@ -147,9 +147,11 @@ Vec3 pull_anchors(const Tool& tool, const OpenJaws& jaws, std::span<const Touche
                   int sorted, ToolState& state) noexcept;
 
 /// Moves a massless tool with jaws to where hand, jaws and tissue balance in a substep of dt [s];
-/// as balance_tool().
+/// as balance_tool(). What is felt falls below ToolState::felt_before by no more than `most_fall`
+/// [N], where that is not 0.
 Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                  const JawSurfaces& surfaces, double dt, ToolState& state) noexcept;
+                  const JawSurfaces& surfaces, double dt, ToolState& state,
+                  double most_fall = 0.0) noexcept;
 
 /// add_shape_rows() of one jaw of an instrument; the anchors of both count with the first.
 void add_jaw_rows(const Tool& tool, int jaw, const TouchableSurface& surface,

@@ -10,6 +10,23 @@
 #include "palpate/sim/tick/private/world_internals.h"
 
 namespace palpate {
+namespace {
+
+/// [-] Of the vertices of a skin, as they follow the particles.
+std::vector<float> carry_by_skin(const Skin& skin, std::span<const float> particles) {
+  std::vector<float> vertices;
+  vertices.reserve(skin.corners.size());
+  for (std::size_t v = 0; v < skin.corners.size(); ++v) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      sum += skin.weights[v][k] * particles[static_cast<std::size_t>(skin.corners[v][k])];
+    }
+    vertices.push_back(static_cast<float>(std::clamp(sum, 0.0, 1.0)));
+  }
+  return vertices;
+}
+
+}  // namespace
 
 PendingSnapshot::PendingSnapshot(const World& world, const TaskState& task)
     : packed(world.bodies.size()) {
@@ -24,7 +41,8 @@ PendingSnapshot::PendingSnapshot(const World& world, const TaskState& task)
       packed[b].displacement.resize(kernel->state.displacement.size());
     }
     const std::span<const Vec3> surface = surface_position(body);
-    seen.bodies.push_back({{surface.begin(), surface.end()}, body.substeps, body.safeguard});
+    seen.bodies.push_back({{surface.begin(), surface.end()}, body.substeps, body.safeguard, {}});
+    if (internals(body).tear.may_tear()) seen.bodies[b].torn.resize(body.tissue.position.size());
   }
 }
 
@@ -51,6 +69,8 @@ void note_world(const World& world, std::span<const HapticSample> samples,
     const SoftState& body = world.bodies[b];
     pending.seen.bodies[b].substeps = body.substeps;
     pending.seen.bodies[b].safeguard = body.safeguard;
+    const Tear& tear = internals(body).tear;
+    if (tear.has_torn()) tear.write_damage(pending.seen.bodies[b].torn);
     // after an alarm the packed tissue is not where the world stands still
     pending.packed[b].in_use = lags(world, body) && is_behind(body);
     if (pending.packed[b].in_use) {
@@ -68,14 +88,21 @@ SnapshotReader::Unpacked::Unpacked(const SoftState& body)
       particles(body.skin.empty() ? 0 : body.tissue.position.size()) {}
 
 SnapshotReader::SnapshotReader(const World& world)
-    : unpacked_(world.bodies.begin(), world.bodies.end()), snapshot_(PendingSnapshot(world).seen) {}
+    : unpacked_(world.bodies.begin(), world.bodies.end()), snapshot_(PendingSnapshot(world).seen) {
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    std::vector<float>& torn = snapshot_.bodies[b].torn;
+    if (!torn.empty()) torn.resize(snapshot_.bodies[b].position.size());
+  }
+}
 
 void SnapshotReader::read(const Scene& scene, const PendingSnapshot& pending) {
   std::vector<BodySnapshot> bodies = std::move(snapshot_.bodies);
   snapshot_ = pending.seen;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (!pending.packed[b].in_use) continue;
     const TissueModel& tissue = scene.bodies[b].tissue;
+    std::vector<float>& torn = snapshot_.bodies[b].torn;
+    if (!torn.empty() && !tissue.skin.corners.empty()) torn = carry_by_skin(tissue.skin, torn);
+    if (!pending.packed[b].in_use) continue;
     Unpacked& unpacked = unpacked_[b];
     Vec3Array& to = unpacked.particles.empty() ? bodies[b].position : unpacked.particles;
     unpack_positions(*unpacked.model, tissue, pending.packed[b].displacement,

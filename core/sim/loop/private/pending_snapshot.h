@@ -20,7 +20,8 @@ struct PendingSnapshot {
   /// With room for all of its surfaces, and the steps and limits of a task.
   explicit PendingSnapshot(const World& world, const TaskState& task = {});
 
-  Snapshot seen;               ///< positions left as they were where displacements tell
+  /// positions left as they were where displacements tell; what has torn is of particles
+  Snapshot seen;
   std::vector<Packed> packed;  ///< per body
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/mesh/mesh.h"
@@ -43,6 +44,12 @@ std::array<double, 3> compute_cosines(const std::array<double, 3>& length) {
   }
   return cosine;
 }
+
+/// A side of a row of Angles.
+struct Side {
+  std::size_t row;
+  std::size_t corner;  ///< opposite
+};
 
 }  // namespace
 
@@ -136,6 +143,41 @@ Links build_edge_links(const TissueModel& model, std::span<const std::array<int,
     links.damping.push_back(2.0 * damping_ratio * std::sqrt(k * reduced));
   }
   return links;
+}
+
+BondShares share_bonds(const TissueModel& model) {
+  // rest lengths computed twice from the same points may differ by their last bits
+  constexpr double kSameLength = 1e-12;
+  std::map<std::array<int, 2>, std::vector<Side>> sides;
+  const Angles& angles = model.angles;
+  for (std::size_t row = 0; row < angles.corners.size(); ++row) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int i = angles.corners[row][(c + 1) % 3], j = angles.corners[row][(c + 2) % 3];
+      sides[{std::min(i, j), std::max(i, j)}].push_back({row, c});
+    }
+  }
+  BondShares shares;
+  shares.left.assign(model.bonds.ends.size(), true);
+  shares.side_count.assign(model.bonds.ends.size(), 0);
+  shares.stiffness.assign(angles.corners.size(), {0.0, 0.0, 0.0});
+  shares.damping = shares.stiffness;
+  shares.bond.assign(angles.corners.size(), {-1, -1, -1});
+  for (std::size_t l = 0; l < model.bonds.ends.size(); ++l) {
+    const auto found = sides.find(model.bonds.ends[l]);
+    const double length = model.bonds.rest_length[l];
+    const auto fits = [&](const Side& side) {
+      return std::abs(angles.rest_length[side.row][side.corner] - length) <= kSameLength * length;
+    };
+    if (found == sides.end() || !std::ranges::all_of(found->second, fits)) continue;
+    shares.left[l] = false;
+    shares.side_count[l] = static_cast<int>(found->second.size());
+    for (const auto& [row, c] : found->second) {
+      shares.stiffness[row][c] = angles.bond_share[row][c];
+      shares.damping[row][c] = model.bonds.damping[l] / shares.side_count[l];
+      shares.bond[row][c] = static_cast<int>(l);
+    }
+  }
+  return shares;
 }
 
 }  // namespace palpate

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/model/build_surface.h"
 
@@ -25,6 +28,18 @@ Angles build_rest_angles(const SurfaceMesh& mesh);
 
 /// [N/m] the stiffness of every bond: what its one or two triangles have of it.
 std::vector<double> sum_bond_shares(const Angles& angles, const Topology& topology);
+
+/// Which bonds the triangles carry: those whose every side is at rest at the same length. Their
+/// damping is spread evenly over the sides.
+struct BondShares {
+  std::vector<bool> left;                        ///< bonds that no triangle carries
+  std::vector<std::array<double, 3>> stiffness;  ///< [N/m] per row of Angles: of each side
+  std::vector<std::array<double, 3>> damping;    ///< [N·s/m] likewise
+  std::vector<std::array<int, 3>> bond;          ///< likewise; -1 of one that is left
+  std::vector<int> side_count;                   ///< per bond: sides that carry it
+};
+
+BondShares share_bonds(const TissueModel& model);
 
 /// The mean of `scale` at the vertices of a link or triangle; 1 where `scale` is empty.
 template <std::size_t N>

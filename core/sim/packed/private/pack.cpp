@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "palpate/sim/base/private/refuse.h"
 #include "palpate/sim/dynamics/private/tensions.h"
 #include "palpate/sim/model/private/law_tables.h"
+#include "palpate/sim/model/private/surface_particles.h"
 #include "palpate/sim/packed/private/pack_links.h"
 #include "palpate/sim/packed/private/pack_prisms.h"
 #include "palpate/sim/packed/private/pack_solid.h"
@@ -53,52 +53,6 @@ void pack_particles(const TissueModel& model, PackedOrder order, PackedModel& pa
   for (const int i : model.fixed) {
     packed.mass[at(packed.row[at(i)])] = packed.inverse_mass[at(packed.row[at(i)])] = 0.0f;
   }
-}
-
-/// A side of a row of Angles.
-struct Side {
-  std::size_t row;
-  int corner;  ///< opposite
-};
-
-/// Which bonds the triangles carry: those whose every side is at rest at the same length. Their
-/// damping is spread evenly over the sides.
-struct BondShares {
-  std::vector<bool> left;  ///< bonds that no triangle carries
-  std::vector<std::array<float, 3>> stiffness, damping;
-};
-
-BondShares share_bonds(const TissueModel& model) {
-  // rest lengths computed twice from the same points may differ by their last bits
-  constexpr double kSameLength = 1e-12;
-  std::map<std::array<int, 2>, std::vector<Side>> sides;
-  const Angles& angles = model.angles;
-  for (std::size_t row = 0; row < angles.corners.size(); ++row) {
-    for (int c = 0; c < 3; ++c) {
-      const int i = angles.corners[row][at((c + 1) % 3)], j = angles.corners[row][at((c + 2) % 3)];
-      sides[{std::min(i, j), std::max(i, j)}].push_back({row, c});
-    }
-  }
-  BondShares shares;
-  shares.left.assign(model.bonds.ends.size(), true);
-  shares.stiffness.assign(angles.corners.size(), {0.0f, 0.0f, 0.0f});
-  shares.damping = shares.stiffness;
-  for (std::size_t l = 0; l < model.bonds.ends.size(); ++l) {
-    const auto found = sides.find(model.bonds.ends[l]);
-    const double length = model.bonds.rest_length[l];
-    const auto fits = [&](const Side& side) {
-      return std::abs(angles.rest_length[side.row][at(side.corner)] - length) <=
-             kSameLength * length;
-    };
-    if (found == sides.end() || !std::ranges::all_of(found->second, fits)) continue;
-    shares.left[l] = false;
-    const double count = static_cast<double>(found->second.size());
-    for (const auto& [row, c] : found->second) {
-      shares.stiffness[row][at(c)] = static_cast<float>(angles.bond_share[row][at(c)]);
-      shares.damping[row][at(c)] = static_cast<float>(model.bonds.damping[l] / count);
-    }
-  }
-  return shares;
 }
 
 /// Packs of triangles by the rows of their corners, and which triangle each lane holds.

@@ -36,30 +36,43 @@ void for_each_carrier(const PackedModel& model, int vertex, Take take) noexcept 
   }
 }
 
-void add_pushes(const PackedModel& model, const Load& load, PackedState& state) noexcept {
+void add_force(const PackedModel& model, std::size_t row, const Eigen::Vector3f& force,
+               PackedState& state) noexcept {
+  for (int k = 0; k < 3; ++k) state.force_rows[4 * row + static_cast<std::size_t>(k)] += force[k];
+  state.pushed[row / static_cast<std::size_t>(model.width)] = 1;
+}
+
+std::size_t find_row(const PackedModel& model, const ParticleForce& of) noexcept {
+  return static_cast<std::size_t>(model.row[static_cast<std::size_t>(of.particle)]);
+}
+
+/// What is done beside the laws, but for gravity.
+void add_load(const PackedModel& model, const Load& load, PackedState& state) noexcept {
   for (const Push& push : load.pushes()) {
     const Triangle& corners = model.surface[static_cast<std::size_t>(push.triangle)];
     for (int c = 0; c < 3; ++c) {
       if (push.weights[c] == 0.0) continue;  // bodies push single vertices
       for_each_carrier(
           model, corners[static_cast<std::size_t>(c)], [&](std::size_t row, double weight) {
-            const Eigen::Vector3f force = (weight * push.weights[c] * push.force).cast<float>();
-            for (int k = 0; k < 3; ++k)
-              state.force_rows[4 * row + static_cast<std::size_t>(k)] += force[k];
-            state.pushed[row / static_cast<std::size_t>(model.width)] = 1;
+            add_force(model, row, (weight * push.weights[c] * push.force).cast<float>(), state);
           });
     }
+  }
+  for (const ParticleForce& each : load.forces) {
+    add_force(model, find_row(model, each), each.force.cast<float>(), state);
   }
 }
 
 void clear_pushed(const PackedModel& model, const Load& load, PackedState& state) noexcept {
+  const auto clear = [&](std::size_t row) {
+    state.pushed[row / static_cast<std::size_t>(model.width)] = 0;
+  };
   for (const Push& push : load.pushes()) {
     for (const int vertex : model.surface[static_cast<std::size_t>(push.triangle)]) {
-      for_each_carrier(model, vertex, [&](std::size_t row, double) {
-        state.pushed[row / static_cast<std::size_t>(model.width)] = 0;
-      });
+      for_each_carrier(model, vertex, [&](std::size_t row, double) { clear(row); });
     }
   }
+  for (const ParticleForce& each : load.forces) clear(find_row(model, each));
 }
 
 bool has_moved_far(const PackedMeasure& measure, const Guard& guard, int steps) noexcept {
@@ -167,7 +180,7 @@ void step(const PackedModel& model, const Load& load, double dt, PackedState& st
     laws[law].accumulate(model, state, state.internal[law], measure);
   }
   if (model.skin.pack_count > 0) model.kernels->accumulate_pressure(model, state);
-  add_pushes(model, load, state);
+  add_load(model, load, state);
   model.kernels->advance(model, load.gravity.cast<float>(), static_cast<float>(dt), state, measure);
   state.checked = false;
   if (!has_added_forces(model)) clear_pushed(model, load, state);
@@ -192,16 +205,25 @@ double unpack_particles(const PackedModel& model, const TissueModel& tissue,
   const auto width = static_cast<std::size_t>(model.width);
   const Vec3* rest = tissue.rest_position.data();
   Vec3 *position = state.position.data(), *velocity = state.velocity.data();
+  // where there are rows of velocities, the three numbers stand beside each other there
+  const CacheAligned<float>& velocities =
+      packed.velocity_rows[static_cast<std::size_t>(packed.current)];
+  const float* in_rows = velocities.empty() ? nullptr : velocities.data();
   double most = 0.0;
   for (const int particle : particles) {
     const auto i = static_cast<std::size_t>(particle);
-    const std::size_t at = find_in_slices(model, static_cast<std::size_t>(model.row[i]));
+    const auto row = static_cast<std::size_t>(model.row[i]);
+    const std::size_t at = find_in_slices(model, row);
     const float* u = packed.displacement.data() + at;
-    const float* v = packed.velocity.data() + at;
     const Vec3 now = rest[i] + Vec3(u[0], u[width], u[2 * width]);
     most = std::max(most, (now - position[i]).squaredNorm());
     position[i] = now;
-    velocity[i] = Vec3(v[0], v[width], v[2 * width]);
+    if (in_rows != nullptr) {
+      velocity[i] = Eigen::Map<const Eigen::Vector3f>(in_rows + 4 * row).cast<double>();
+    } else {
+      const float* v = packed.velocity.data() + at;
+      velocity[i] = Vec3(v[0], v[width], v[2 * width]);
+    }
   }
   return std::sqrt(most);
 }
@@ -246,8 +268,9 @@ Alarm check(const PackedModel& model, const TissueModel& tissue, const State& st
     const double elapsed = std::max(0.0, state.time - guard.last_time);
     const double pressed =
         model.skin.pack_count > 0 ? model.kernels->compute_pressure_work(model, packed) : 0.0;
-    alarm = check_energy(tissue, measure.kinetic + measure.elastic + packed.asleep_energy,
-                         work + measure.gravity_work + pressed, elapsed, guard);
+    alarm = check_energy(
+        tissue, measure.kinetic + measure.elastic + packed.asleep_energy - guard.torn_energy,
+        work + measure.gravity_work + pressed, elapsed, guard);
   }
   if (!alarm) alarm = confirm(tissue, far, strained, guard);
   guard.last_time = state.time;

@@ -82,13 +82,6 @@ double find_limit(const SoftBody& body, double w2) noexcept {
   return find_step_limit(body.integrator, {w2, c}, damped_part * body.least_damping_time);
 }
 
-/// Prisms, and no tetrahedra.
-bool is_wall(const TissueModel& tissue) noexcept {
-  return !tissue.prisms.corners.empty() && tissue.volumes.corners.empty() &&
-         tissue.elastic.corners.empty() && tissue.corotated.corners.empty() &&
-         tissue.neo_hookean.corners.empty();
-}
-
 /// Takes note of a tissue that stretch has made stiffer, or that has come back.
 void follow_stretch(const Stretch& stretch, BodyInternals& work) noexcept {
   const double now = bound_stiffness(work.spectrum, stretch), rest = work.spectrum.rest;
@@ -159,9 +152,8 @@ double bound_by_particles(const Scene& scene, std::size_t body, World& world) no
 ///
 ///     dt² w0²/s² + dt² (k/m)/s'² <= 4
 ///
-/// is asked for of jaws alone on a wall of prisms. Of a solid it is too little, whose jaws then
-/// buzz, a slab of springs alone creeps in them the more the longer a step is, and of all else s'
-/// is the share of both.
+/// is asked for of jaws alone on a wall. Of a solid it is too little, whose jaws then buzz, and of
+/// all else s' is the share of both.
 double count_stable_substeps(const Scene& scene, std::size_t body, double dt, bool jaws_on_wall,
                              World& world) noexcept {
   const SoftBody& soft = scene.bodies[body];

@@ -169,6 +169,10 @@ constexpr double kMostChange = 1.0 / 15.0;
 /// [N] By which it may change in any case while jaws open in a dent: less in a tick no hand feels.
 constexpr double kOpeningChange = 0.01;
 
+/// [-] Of what is felt of closed jaws: by how much it may fall from tick to tick beside what the
+/// hand's own way changes, whatever slips out of them, and [N] by how much in any case.
+constexpr double kMostFall = 0.15, kLeastFall = 0.1;
+
 /// Of the closing force: what is left of it after a tick in which the tissue could bear no more,
 /// and at which jaws open instead.
 constexpr double kYield = 0.9, kLeastGrip = 0.02;
@@ -227,11 +231,22 @@ double measure_grip(const ToolState& tool) noexcept {
   return 0.5 * sum;
 }
 
+/// Jaws that let go of what is near an alarm have no more time than a hold has: what was left of
+/// their force goes in as many ticks, and what is felt may change by as much of it.
+void hurry(double dt, int slips, InstrumentState& state) noexcept {
+  ToolState& held = state.tool;
+  const int urgent = count_ticks(kAlarmReleaseTime, dt);
+  if (state.release_ticks <= urgent) return;
+  state.release_ticks = urgent;
+  state.release_load = held.grip_limit * slips / urgent;
+  held.felt_change = std::max(held.felt_change, state.last_force.norm() / urgent);
+}
+
 /// The force comes down to what just carries the load F, 2 mu N = F, and from there with less in
 /// every tick: what slips then is no more than a tick's part of it.
-void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
+void let_go(const Tool& tool, double dt, bool urgent, InstrumentState& state) noexcept {
   ToolState& held = state.tool;
-  const int slips = std::max(1, static_cast<int>(std::round(kReleaseTime / dt)));
+  const int slips = count_ticks(kReleaseTime, dt);
   if (state.release_ticks == 0) {
     const double least = held.held_load / (2.0 * tool.friction);
     const double part = std::min(1.0, least / std::max(measure_grip(held), kNoLoad));
@@ -240,6 +255,7 @@ void let_go(const Tool& tool, double dt, InstrumentState& state) noexcept {
     held.felt_before = state.last_force;
     held.felt_change = kMostChange * std::max(state.last_force.norm(), kNoLoad);
   }
+  if (urgent) hurry(dt, slips, state);
   const int eases = state.release_ticks - slips;
   --state.release_ticks;
   held.grip_limit = eases > 0 ? held.grip_limit + (state.release_load - held.grip_limit) / eases
@@ -262,11 +278,36 @@ void follow_change(double goal, InstrumentState& state) noexcept {
   tool.felt_before = state.last_force;
 }
 
+/// [N] What tissue that slips out of closed jaws leaves to the hand goes within some ticks, for an
+/// instrument has a mass that it must move: without one it would be at the hand at once. Where the
+/// hand is limited, the tool follows what that asks for.
+void limit_fall(const Instrument& instrument, InstrumentState& state, HandMotion& motion) noexcept {
+  if (motion.bearable < instrument.coupling.force_max) return;
+  const double moved = find_coupling(instrument, state).stiffness * motion.travel;
+  state.tool.felt_before = state.last_force;
+  motion.most_fall = moved + std::max(kMostFall * state.last_force.norm(), kLeastFall);
+}
+
 /// Jaws that carry next to nothing begin to open at once.
 void begin_opening(InstrumentState& state) noexcept {
   if (state.tool.felt_change > 0.0) return;
   state.tool.felt_before = state.last_force;
   state.tool.felt_change = std::max(kMostChange * state.last_force.norm(), kOpeningChange);
+}
+
+/// Whether tissue shuts jaws again that were open and in balance: of the force with which they open
+/// little is left until they are out of it. It is as uneven as when they began to open.
+bool is_shut_again(const Tool& tool, double goal, const InstrumentState& state) noexcept {
+  const ToolState& jaws = state.tool;
+  return jaws.touching && jaws.felt_change == 0.0 && goal >= jaws.jaw_wanted &&
+         jaws.grip_limit <= kOpening * tool.jaws->grip && goal > jaws.jaw_angle + kGripRise;
+}
+
+/// From what collapses jaws come away as fast as they can: held back for what a hand feels, whose
+/// limit falls faster, they would stand still in it.
+void follow_freely(InstrumentState& state) noexcept {
+  double& most = state.tool.felt_change;
+  if (most > 0.0) most = std::max(most, state.last_force.norm());
 }
 
 /// Whether jaws that a hand has opened as far as it would are still on their way there, in a dent.
@@ -283,6 +324,7 @@ void yield(const Tool& tool, double kept, InstrumentState& state) noexcept {
 }
 
 }  // namespace
+
 /// Up to `closed` the motor closes with all its force; beyond, opening lessens it.
 void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample& sample, double dt,
                  World& world) noexcept {
@@ -291,7 +333,13 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
   InstrumentState& state = world.instruments[instrument];
   ToolState& jaws = state.tool;
   double goal = find_goal(*tool.jaws, sample);
+  HandMotion& motion = workspace(world).hands[instrument];
+  motion.most_fall = 0.0;
   if (jaws.felt_change > 0.0) follow_change(goal, state);
+  if (is_shut_again(tool, goal, state)) {
+    begin_opening(state);
+    state.attach_pressed = false;
+  }
   if (!jaws.placed) {
     jaws.jaw_angle = jaws.jaw_wanted = goal;
     return;
@@ -302,11 +350,14 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
   }
   const double kept = find_kept_grip(scene, dt, world, jaws);
   if (kept < 1.0) yield(tool, kept, state);
+  if (kept <= kYieldFast) follow_freely(state);
   if (state.opens) goal = tool.jaws->open;
   const double closed = std::max(jaws.jaw_wanted, jaws.jaw_angle - kGripRise);
   if (goal > closed) {
     // jaws that have let go open with the tissue that pushes them
-    if (state.attach_pressed && jaws.held_load > kNoLoad) return let_go(tool, dt, state);
+    if (state.attach_pressed && jaws.held_load > kNoLoad) {
+      return let_go(tool, dt, kept < 1.0, state);
+    }
     if (state.attach_pressed) {
       jaws.grip_limit = kOpening * tool.jaws->grip;
       begin_opening(state);
@@ -320,6 +371,7 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
     state.attach_pressed = true;
     jaws.felt_change = 0.0;
     state.release_ticks = 0;
+    if (kept == 1.0) limit_fall(scene.instruments[instrument], state, motion);
   }
   turn_toward(goal, dt, jaws);
 }

@@ -80,13 +80,17 @@ struct Moved {
   SoftState& state;
 };
 
-/// Lists what tools and other bodies may touch, or hold.
+/// Lists what tools and other bodies may touch, or hold, and what may tear or has torn.
 void list_near(const Moved& moved, NearList& near) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   const World& world = moved.world;
   const auto index = static_cast<int>(moved.index);
   if (is_followed_within(moved.index, moved.world)) return add_all(near);
   near.clear();
+  internals(moved.state).tear.for_each_particle([&](int particle) noexcept {
+    add_once(particle, world.tick_count, near.particle_last_at, near.particles,
+             near.particle_count);
+  });
   for_each_touched_vertex(moved.scene, moved.index, moved.world, [&](int vertex) noexcept {
     add_vertex(tissue, vertex, world.tick_count, near);
   });
@@ -139,9 +143,56 @@ void choose_in_tree(PackedKernel& kernel, AabbTree& tree) noexcept {
   }
 }
 
+/// Before the substeps of a tick: how far what instruments hold is stretched is asked at its end.
+void watch_held(const Moved& moved) noexcept {
+  Tear& tear = internals(moved.state).tear;
+  if (!tear.may_tear()) return;
+  tear.begin_watch(moved.world.tick_count);
+  const auto index = static_cast<int>(moved.index);
+  const TissueModel& tissue = moved.body.tissue;
+  const auto watch = [&](int triangle) noexcept {
+    for (const int vertex : tissue.triangles[static_cast<std::size_t>(triangle)]) {
+      if (tissue.skin.corners.empty()) {
+        tear.watch(vertex);
+        continue;
+      }
+      for (const int particle : tissue.skin.corners[static_cast<std::size_t>(vertex)]) {
+        tear.watch(particle);
+      }
+    }
+  };
+  for (const InstrumentState& instrument : moved.world.instruments) {
+    const ToolState& tool = instrument.tool;
+    for (const ToolState::Anchor& anchor :
+         std::span(tool.anchors).first(static_cast<std::size_t>(tool.anchor_count))) {
+      if (anchor.body == index) watch(anchor.triangle);
+    }
+    for (const ToolState::Hold& hold :
+         std::span(tool.holds).first(static_cast<std::size_t>(tool.hold_count))) {
+      if (hold.body == index) watch(hold.triangle);
+    }
+  }
+}
+
+/// [N] That cancel what torn parts bear where the tissue is as a substep begins. Before the last
+/// one of a tick the guard is told what energy those have.
+std::span<const ParticleForce> cancel_torn(const Moved& moved, bool last) noexcept {
+  Tear& tear = internals(moved.state).tear;
+  if (!tear.has_torn()) return {};
+  const State& now = moved.state.tissue;
+  if (last) moved.state.guard.torn_energy = tear.compute_energy(now.position);
+  return tear.cancel(moved.body.tissue, now.position);
+}
+
+Stretch measure_whole(const Moved& moved) noexcept {
+  const Tear& tear = internals(moved.state).tear;
+  return measure_stretch(moved.body.tissue, moved.state.tissue.position,
+                         {moved.state.guard.torn_links, tear.torn_triangles()});
+}
+
 // --- begin, step and end of each kernel ----------------------------------------------------------
 
-void begin(ReferenceKernel&, const Moved&) noexcept {}
+void begin(ReferenceKernel&, const Moved& moved) noexcept { watch_held(moved); }
 
 /// By which a body is stepped in double: its own integrator, or its safeguard's.
 Integrator choose_integrator(const SoftBody& body, const SoftState& state) noexcept {
@@ -218,11 +269,12 @@ Alarm end(ReferenceKernel& kernel, const Moved& moved, double work) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   SoftState& state = moved.state;
   if (kernel.unsolved || internals(state).stiff.unsolved) return report_unsolved(moved);
-  state.stretch = measure_stretch(tissue, state.tissue.position);
+  state.stretch = measure_whole(moved);
   return check(tissue, state.load.gravity, state.tissue, work, state.guard, state.substeps);
 }
 
 void begin(PackedKernel& kernel, const Moved& moved) noexcept {
+  watch_held(moved);
   list_near(moved, kernel.near);
   if (is_stepped_in_double(moved.state)) catch_up(moved.body, moved.state);
   if (!kernel.active.on) return;
@@ -259,7 +311,7 @@ double find_largest_move(const SoftState& state) noexcept {
 Alarm end_in_double(PackedKernel& kernel, const Moved& moved, double work) noexcept {
   const TissueModel& tissue = moved.body.tissue;
   SoftState& state = moved.state;
-  state.stretch = measure_stretch(tissue, state.tissue.position);
+  state.stretch = measure_whole(moved);
   kernel.measure.largest_move = find_largest_move(state);
   kernel.lag.moved += kWiden * kernel.skin_gain * kernel.measure.largest_move;
   const Alarm alarm =
@@ -275,10 +327,14 @@ Alarm end_in_double(PackedKernel& kernel, const Moved& moved, double work) noexc
 Alarm end(PackedKernel& kernel, const Moved& moved, double work) noexcept {
   SoftState& state = moved.state;
   if (is_stepped_in_double(state)) return end_in_double(kernel, moved, work);
-  state.stretch = kernel.measure.stretch;
   state.tissue.time = kernel.state.time;
   kernel.lag.behind = true;
   kernel.lag.moved += kWiden * kernel.skin_gain * kernel.measure.largest_move;
+  if (internals(state).tear.has_torn()) {  // which has the length it likes
+    catch_up(moved.body, state);
+    kernel.measure.stretch = measure_whole(moved);
+  }
+  state.stretch = kernel.measure.stretch;
   if (!lags(moved.world, state) || needs_check(kernel.measure, state.guard, state.substeps)) {
     catch_up(moved.body, state);
   }
@@ -308,14 +364,25 @@ void begin_moving(const Scene& scene, std::size_t body, World& world) noexcept {
 double move_tissue(const Scene& scene, std::size_t body, double dt, bool last,
                    World& world) noexcept {
   const Moved moved(scene, body, world);
-  return std::visit([&](auto& kernel) { return step_kernel(kernel, moved, dt, last); },
-                    internals(moved.state).kernel);
+  moved.state.load.forces = cancel_torn(moved, last);
+  const double work = std::visit([&](auto& kernel) { return step_kernel(kernel, moved, dt, last); },
+                                 internals(moved.state).kernel);
+  moved.state.load.forces = {};
+  return work;
 }
 
 Alarm end_moving(const Scene& scene, std::size_t body, double work, World& world) noexcept {
   const Moved moved(scene, body, world);
   return std::visit([&](auto& kernel) { return end(kernel, moved, work); },
                     internals(moved.state).kernel);
+}
+
+void tear_links(const Scene& scene, std::size_t body, double dt, World& world) noexcept {
+  SoftState& state = world.bodies[body];
+  Tear& tear = internals(state).tear;
+  if (!tear.may_tear()) return;
+  tear.grow(scene.bodies[body].tissue, state.tissue.position, dt, state.guard);
+  state.torn_count = tear.torn_count();
 }
 
 void settle_moving(SoftState& state) noexcept {

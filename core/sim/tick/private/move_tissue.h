@@ -20,7 +20,11 @@ double move_tissue(const Scene& scene, std::size_t body, double dt, bool last,
 /// tick in which pushes have done `work` [J].
 Alarm end_moving(const Scene& scene, std::size_t body, double work, World& world) noexcept;
 
-/// Ends a tick in which no body has raised an alarm: what moves is listed again.
+/// Ends a tick of dt [s] in which no body has raised an alarm: what is held of a body tears where
+/// it has been stretched too far for long enough, and what has torn fades [contact: tear].
+void tear_links(const Scene& scene, std::size_t body, double dt, World& world) noexcept;
+
+/// Likewise: what moves is listed again.
 void settle_moving(SoftState& state) noexcept;
 
 }  // namespace palpate

@@ -12,6 +12,7 @@
 #include "palpate/sim/collision/private/edge_points.h"
 #include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/dynamics/step.h"
+#include "palpate/sim/grasp/private/tear.h"
 #include "palpate/sim/model/private/mean_load.h"
 #include "palpate/sim/packed/private/active_set.h"
 #include "palpate/sim/packed/private/packed_checkpoint.h"
@@ -172,6 +173,7 @@ struct BodyInternals {
   StiffSteps stiff;            ///< under Safeguard::implicit_euler
   std::vector<double> surface_mass;    ///< [kg] per vertex of the surface; never changes
   std::vector<double> vertex_scratch;  ///< per vertex of the surface; zero between its uses
+  Tear tear;                           ///< off unless the body may tear (begin_moving, tear_links)
   MeanLoad mean_load;  ///< over the substeps of a finer body since the last step (move_bodies)
 };
 
@@ -215,6 +217,8 @@ struct HandMotion {
   double travel = 0.0;       ///< [m] since the last tick; 0 where it has just appeared (read_hands)
   double stored_energy = 0.0;  ///< [J] no less than its springs hold (read_hands)
   Vec3 felt = Vec3::Zero();    ///< [N] sum over substeps (balance_instruments)
+  /// [N] by no more does what is felt of closed jaws fall in this tick; 0: by any (follow_jaws)
+  double most_fall = 0.0;
   /// [N] that its spring pulls with at most, where tissue bears no more; from tick to tick
   /// (limit_hand)
   double bearable = std::numeric_limits<double>::infinity();
@@ -334,6 +338,12 @@ void for_each_touchable(World& world, std::size_t instrument, std::size_t body, 
     const ToolState::Hold& hold = tool.holds[static_cast<std::size_t>(h)];
     if (hold.body == index) visit(hold.triangle);
   }
+}
+
+/// Springs, bonds and prisms of a surface; what has tetrahedra is a solid.
+inline bool is_wall(const TissueModel& tissue) noexcept {
+  return tissue.volumes.corners.empty() && tissue.elastic.corners.empty() &&
+         tissue.corotated.corners.empty() && tissue.neo_hookean.corners.empty();
 }
 
 /// What a tool feels a body by: capsules feel a wall by the hard law, for its near field is that of

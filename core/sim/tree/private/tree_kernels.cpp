@@ -5,15 +5,9 @@
 #include <bit>
 
 #include "palpate/sim/base/private/vector_targets.h"
+#include "palpate/sim/tree/private/four_targets.h"
 
 #ifdef PALPATE_SIMD
-
-// a node has four children, and doubles come four at a time from AVX2 on
-#define PALPATE_TREE_TARGETED (HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
-#define PALPATE_TREE_TARGET HWY_NAMESPACE
-#define PALPATE_TREE_BEGIN HWY_BEFORE_NAMESPACE();
-#define PALPATE_TREE_END HWY_AFTER_NAMESPACE();
-#define PALPATE_TREE_INLINE HWY_INLINE
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/sim/tree/private/tree_kernels.cpp"
@@ -46,21 +40,13 @@ namespace palpate::tree_kernels {
 namespace {
 
 std::vector<const Kernels*> find_available() {
-  std::vector<const Kernels*> found;
 #if defined(PALPATE_SIMD) && HWY_ARCH_X86
-  struct Entry {
-    std::int64_t target;
-    const Kernels& (*kernels)() noexcept;
-  };
-  const Entry entries[] = {{HWY_AVX3, HWY_CHOOSE_AVX3(kernels)},
-                           {HWY_AVX2, HWY_CHOOSE_AVX2(kernels)}};
-  for (const Entry& entry : entries) {
-    if (entry.kernels == nullptr || (hwy::SupportedTargets() & entry.target) == 0) continue;
-    found.push_back(&entry.kernels());
-  }
+  const TargetKernels<Kernels> compiled[] = {{HWY_AVX3, HWY_CHOOSE_AVX3(kernels)},
+                                             {HWY_AVX2, HWY_CHOOSE_AVX2(kernels)}};
+  return list_supported<Kernels>(compiled, hwy::SupportedTargets(), plain());
+#else
+  return list_supported<Kernels>({}, 0, plain());
 #endif
-  found.push_back(&plain());
-  return found;
 }
 
 }  // namespace

@@ -2,11 +2,8 @@
 // The kernels once more without vector code.
 #include <bit>
 
-#define PALPATE_TREE_TARGETED 1
-#define PALPATE_TREE_TARGET plain_code
-#define PALPATE_TREE_BEGIN
-#define PALPATE_TREE_END
-#define PALPATE_TREE_INLINE inline
+#define PALPATE_TREE_PLAIN
+#include "palpate/sim/tree/private/four_targets.h"
 
 // first of all: it is what the others are made of
 #include "palpate/sim/tree/private/four_plain.h"

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernels once more without vector code.
+#include <bit>
+
+#define PALPATE_TREE_PLAIN
+#include "palpate/sim/tree/private/four_targets.h"
+
+// first of all: it is what the others are made of
+#include "palpate/sim/tree/private/four_plain.h"
+//
+#include "palpate/sim/collision/private/held_contacts-inl.h"
+
+namespace palpate::held_kernels {
+
+const Kernels& plain() noexcept {
+  static const Kernels kernels = plain_code::list_kernels("plain");
+  return kernels;
+}
+
+}  // namespace palpate::held_kernels
