@@ -1758,6 +1758,15 @@ class Guard:
     """Checks in a row at which energy rose without work."""
     strained_checks: int
     """Checks in a row at which a link was out of its bounds."""
+    torn_energy: float
+    """[J] of what has torn: the model has it, and the tissue has not."""
+    @property
+    def torn_links(self) -> list[int]:
+        """1 of each link that has torn and may have any length, springs before bonds; a list,
+        empty where nothing tears.
+        """
+    @torn_links.setter
+    def torn_links(self, value: Sequence[int]) -> None: ...
     def __copy__(self) -> Guard:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Guard:
@@ -1765,7 +1774,19 @@ class Guard:
     def __getstate__(
         self, /
     ) -> tuple[
-        object, object, object, object, object, object, object, object, object, object, object
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
+        object,
     ]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
@@ -2246,6 +2267,7 @@ BARRIER_FLOOR: float
 NO_ARM: float
 FULL_FACING: float
 PARALLEL: float
+JAW_SPREAD: float
 
 class Contact:
     """How the tip touches one triangle."""
@@ -2939,6 +2961,7 @@ class SoftBody:
         tied_holds: bool = ...,
         may_fold: bool = ...,
         weightless: bool = ...,
+        tear_stretch: float = ...,
     ) -> None:
         """Copies its tissue.
 
@@ -2980,6 +3003,11 @@ class SoftBody:
     tied_holds: bool
     """Of a body with a contact_modulus: what a tool holds gives way as tissue does under it;
     else as the mesh does where it is fastened.
+    """
+    tear_stretch: float
+    """[-] What an instrument holds tears where it is longer than so many times its length at
+    rest for 5 ms, and its force fades over 50 ms [contact: tear]. 0: nothing tears; else
+    1.01 to 10, of springs and bonds.
     """
     may_fold: bool
     """Parts of its surface may touch others of it: build_scene adds a BodyPair of it with
@@ -3027,6 +3055,7 @@ class SoftBody:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
         object,
         object,
         object,
@@ -3407,6 +3436,9 @@ class SoftState:
     @property
     def guard(self) -> Guard:
         """The memory of the alarm; read-only."""
+    @property
+    def torn_count(self) -> int:
+        """Links, or triangles of bonds, that have torn since the start."""
     @property
     def substeps(self) -> int:
         """Of the last tick."""
@@ -5443,6 +5475,8 @@ class TaskMeasure(enum.Enum):
     loose = 9
     out_of_view = 10
     object_force = 11
+    pad_pressure = 12
+    torn = 13
 
 class LimitConsequence(enum.Enum):
     """What becomes of a limit that opens."""
@@ -6119,11 +6153,16 @@ class BodySnapshot:
     @property
     def safeguard(self) -> Safeguard:
         """Of that tick."""
+    @property
+    def torn(self) -> NDArray[np.float32]:
+        """[-] Of each vertex, 0 where all is whole to 1 where something bears nothing any more,
+        shape (n,); empty of a body that does not tear; a view.
+        """
     def __copy__(self) -> BodySnapshot:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> BodySnapshot:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

@@ -222,6 +222,7 @@ void bind_contact_law(py::module_& m) {
   m.attr("NO_ARM") = kNoArm;
   m.attr("FULL_FACING") = kFullFacing;
   m.attr("PARALLEL") = kParallel;
+  m.attr("JAW_SPREAD") = kJawSpread;
   py::class_<Contact> contact(m, "Contact", "How the tip touches one triangle.");
   contact.def(py::init<>());
   def_vector(contact, "weights", &Contact::weights, "[-] Barycentric, of the closest point.");

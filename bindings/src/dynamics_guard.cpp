@@ -93,11 +93,16 @@ void bind_memory(py::module_& m) {
       .def_readwrite("rising_steps", &Guard::rising_steps,
                      "Checks in a row at which energy rose without work.")
       .def_readwrite("strained_checks", &Guard::strained_checks,
-                     "Checks in a row at which a link was out of its bounds.");
+                     "Checks in a row at which a link was out of its bounds.")
+      .def_readwrite("torn_energy", &Guard::torn_energy,
+                     "[J] of what has torn: the model has it, and the tissue has not.")
+      .def_readwrite("torn_links", &Guard::torn_links,
+                     "1 of each link that has torn and may have any length, springs before bonds; "
+                     "a list, empty where nothing tears.");
   def_value(guard, &Guard::last_position, &Guard::last_time, &Guard::shortest_rest_length,
             &Guard::start_energy, &Guard::last_energy, &Guard::work, &Guard::given_energy,
             &Guard::unnoticed_energy, &Guard::reference_energy, &Guard::rising_steps,
-            &Guard::strained_checks);
+            &Guard::strained_checks, &Guard::torn_energy, &Guard::torn_links);
   def_repr(guard, {"last_time", "work", "last_energy", "reference_energy", "rising_steps"});
   m.def(
       "check",

@@ -14,7 +14,7 @@ namespace palpate::bindings {
 
 namespace {
 
-void bind_options(py::module_& m) {
+void bind_loop_options(py::module_& m) {
   py::native_enum<FaultResponse>(
       m, "FaultResponse", "enum.Enum",
       "What becomes of a run of which a device fails, or gives no force any more. The force of "
@@ -62,7 +62,11 @@ void bind_snapshot(py::module_& m) {
            "[m] of the vertices of the surface, shape (n, 3); a view.");
   body.def_readonly("substeps", &BodySnapshot::substeps, "Of that tick.")
       .def_readonly("safeguard", &BodySnapshot::safeguard, "Of that tick.");
-  def_value(body, &BodySnapshot::position, &BodySnapshot::substeps, &BodySnapshot::safeguard);
+  def_view(body, "torn", &BodySnapshot::torn,
+           "[-] Of each vertex, 0 where all is whole to 1 where something bears nothing any more, "
+           "shape (n,); empty of a body that does not tear; a view.");
+  def_value(body, &BodySnapshot::position, &BodySnapshot::substeps, &BodySnapshot::safeguard,
+            &BodySnapshot::torn);
   def_repr(body, {"substeps", "safeguard"});
 
   py::class_<RigidSnapshot> rigid(m, "RigidSnapshot", "A rigid body as a reader sees it.");
@@ -361,7 +365,7 @@ void bind_loop_class(py::module_& m) {
 }  // namespace
 
 void bind_loop(py::module_& m) {
-  bind_options(m);
+  bind_loop_options(m);
   bind_snapshot(m);
   bind_report(m);
   bind_loop_class(m);

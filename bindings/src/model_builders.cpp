@@ -10,7 +10,7 @@ namespace palpate::bindings {
 
 namespace {
 
-void bind_options(py::module_& m) {
+void bind_builder_options(py::module_& m) {
   const SurfaceOptions usual;
   using Options = Chosen<SurfaceOptions>;
   py::class_<Options> options(
@@ -186,7 +186,7 @@ void bind_definiteness(py::module_& m) {
 }  // namespace
 
 void bind_builders(py::module_& m) {
-  bind_options(m);
+  bind_builder_options(m);
   bind_molecular_constants(m);
   bind_build_functions(m);
   bind_definiteness(m);

@@ -99,7 +99,7 @@ void bind_surface_of_model(py::module_& m) {
       "pushed alike.");
 }
 
-void bind_options(py::module_& m) {
+void bind_solid_options(py::module_& m) {
   const SolidOptions usual;
   using Options = Chosen<SolidOptions>;
   py::class_<Options> options(m, "SolidOptions",
@@ -170,7 +170,7 @@ void bind_solid_tables(py::module_& m) {
 
 void bind_solids(py::module_& m) {
   bind_surface_of_model(m);
-  bind_options(m);
+  bind_solid_options(m);
   bind_lame(m);
   using Options = Chosen<SolidOptions>;
   m.def(

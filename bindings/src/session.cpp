@@ -17,6 +17,9 @@ namespace palpate::bindings {
 
 namespace {
 
+using Path = std::filesystem::path;
+using Release = py::call_guard<py::gil_scoped_release>;
+
 Record make_record(const std::string& header, const py::object& hand, const py::object& felt,
                    const py::object& events, const py::object& hashes, bool complete,
                    std::optional<int> instruments) {
@@ -75,8 +78,6 @@ void bind_record(py::module_& m) {
 
 #ifdef PALPATE_RECORD_FILES
 void bind_record_files(py::module_& m) {
-  using Release = py::call_guard<py::gil_scoped_release>;
-  using Path = std::filesystem::path;
   py::native_enum<RecordCodec>(m, "RecordCodec", "enum.Enum", "How a block's body is stored.")
       .value("none", RecordCodec::none)
       .value("deflate", RecordCodec::deflate)
@@ -157,13 +158,13 @@ void bind_replay(py::module_& m) {
         require_built(scene);
         if (task) require_fit(*task, scene);
         Interrupt interrupt;
-        ReplayReport report;
+        ReplayReport replayed;
         {
           const py::gil_scoped_release released;
-          report = replay(scene, record, task, [&] { return interrupt.came(); });
+          replayed = replay(scene, record, task, [&] { return interrupt.came(); });
         }
         interrupt.rethrow();
-        return report;
+        return replayed;
       },
       "scene"_a, "record"_a, "task"_a = py::none(),
       "Runs the recorded hands through the same tick from a fresh world, and judges a task, of "

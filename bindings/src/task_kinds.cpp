@@ -50,6 +50,9 @@ void bind_task_kinds(pybind11::module_& m) {
              "[-] 1 where no camera has the tip in its picture, or it is hidden, else 0.")
       .value("object_force", TaskMeasure::object_force,
              "[N] all with which tissue pushes an object.")
+      .value("pad_pressure", TaskMeasure::pad_pressure,
+             "[Pa] of jaws on what is touched of their pads.")
+      .value("torn", TaskMeasure::torn, "[-] 1 once a tissue has torn, else 0.")
       .finalize();
   pybind11::native_enum<LimitConsequence>(m, "LimitConsequence", "enum.Enum",
                                           "What becomes of a limit that opens.")

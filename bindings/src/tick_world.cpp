@@ -34,6 +34,8 @@ void bind_states(py::module_& m) {
       .def_readonly("tree", &SoftState::tree, "The boxes around its surface; read-only.")
       .def_readonly("load", &SoftState::load, "What all tools do to the tissue; read-only.")
       .def_readonly("guard", &SoftState::guard, "The memory of the alarm; read-only.")
+      .def_readonly("torn_count", &SoftState::torn_count,
+                    "Links, or triangles of bonds, that have torn since the start.")
       .def_readonly("substeps", &SoftState::substeps, "Of the last tick.")
       .def_readonly("safeguard", &SoftState::safeguard, "Of the last tick.")
       .def_readonly("averted", &SoftState::averted,

@@ -31,6 +31,7 @@ LIMITS = {
         "clearance": "Too near: {place}", "path.off": "Off the line",
         "strain": "Stretched too far", "loose": "Dropped: {place}",
         "out_of_view": "The tip is out of view", "object_force": "Pressed too hard: {place}",
+        "pad_pressure": "Squeezed too hard", "torn": "The tissue has torn",
     },
     "tr": {
         "force": "Çok sert", "force_rate": "Çok ani", "contact": "Değmeyin: {place}",
@@ -38,6 +39,7 @@ LIMITS = {
         "clearance": "Çok yakın: {place}", "path.off": "Çizgiden çıktınız",
         "strain": "Fazla gerildi", "loose": "Düşürüldü: {place}",
         "out_of_view": "Uç görüş dışında", "object_force": "Çok sert bastırıldı: {place}",
+        "pad_pressure": "Çok sert sıkıldı", "torn": "Doku yırtıldı",
     },
 }  # fmt: skip
 BANDS = (("force_N", "N", 1.0), ("depth_m", "mm", 1e3), ("distance_m", "mm", 1e3))

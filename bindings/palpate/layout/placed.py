@@ -100,6 +100,7 @@ def build_body(organ: Organ, placed: PlacedBody, touches: bool) -> palpate.SoftB
         far_compliance=turn_tensors(np.asarray(was.far_compliance), placed),
         contact_facets=was.contact_facets,
         tied_holds=was.tied_holds,
+        tear_stretch=was.tear_stretch,
         may_fold=placed.may_fold,
         weightless=placed.weightless,
     )

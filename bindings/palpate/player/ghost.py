@@ -12,9 +12,9 @@ from palpate.assessment.selfplay import Attempt
 from palpate.player.hand_work import HandWork
 from palpate.player.sentences import translate
 from palpate.runs.live import Frame, LiveRun
-from palpate.scene.surfaces import join_positions, join_rest_surfaces
+from palpate.scene.surfaces import join_rest_surfaces
 from palpate.viewport.application import FRAME_MS
-from palpate.viewport.instruments import see_instruments
+from palpate.viewport.show_frame import show_frame
 
 if TYPE_CHECKING:
     from palpate.player.host import Host
@@ -117,10 +117,7 @@ class Ghost(QObject):
         self.over.place()
 
     def _show(self, frame: Frame) -> None:
-        view = self.window.view
-        view.move_surface(join_positions(frame.positions))
-        view.move_rigid(frame.rigid)
-        view.show_instruments(see_instruments(self.window.scene, frame))
+        show_frame(self.window.view, self.window.scene, frame)
         self.window.play.state = frame.task
         self.over.tell_task()
         self.over.place()
@@ -136,5 +133,6 @@ class Ghost(QObject):
         view = self.window.view
         view.show_instruments(())
         view.move_surface(join_rest_surfaces(self.window.scene))
+        view.show_torn(None)
         view.move_rigid(self.window.scene.rigid)
         self._say("")

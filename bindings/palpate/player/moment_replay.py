@@ -54,6 +54,7 @@ class MomentReplay(QObject):
             return
         shot = moment.shots[self._at]
         view.move_surface(shot.surface)
+        view.show_torn(shot.torn)
         view.move_rigid(shot.rigid)
         view.show_instruments(shot.instruments)
         view.show_force(shot.tip, shot.force)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import palpate
 from palpate.runs.live import Frame
-from palpate.scene.surfaces import join_positions
+from palpate.scene.surfaces import join_positions, join_torn
 from palpate.viewport.instruments import SeenInstrument, see_instruments
 
 BEFORE, AFTER = 2.0, 1.0
@@ -34,6 +34,8 @@ class Shot:
     force: NDArray[np.float64]
     """[N]"""
     rigid: tuple[palpate.RigidSnapshot, ...] = ()
+    torn: NDArray[np.float32] | None = None
+    """[-] (n,), as Frame.torn of all bodies; None where none of them tears"""
 
 
 @dataclass
@@ -66,7 +68,8 @@ class Moments:
             return
         surface = np.asarray(join_positions(frame.positions), dtype=np.float32)
         seen = see_instruments(self._scene, frame)
-        shot = Shot(frame.time, surface, frame.tool_position, seen, frame.force, frame.rigid)
+        torn = join_torn(frame.torn, frame.positions)
+        shot = Shot(frame.time, surface, frame.tool_position, seen, frame.force, frame.rigid, torn)
         self._last.append(shot)
         while self._last and frame.time - self._last[0].time > BEFORE:
             self._last.popleft()

@@ -10,8 +10,7 @@ from palpate.player.attendance import Attendance
 from palpate.player.host import Host
 from palpate.player.sentences import say_damped, say_forces, say_held, say_slow
 from palpate.runs.live import Frame
-from palpate.scene.surfaces import join_positions
-from palpate.viewport import see_instruments
+from palpate.viewport import show_frame
 
 SLOW = 0.02
 """[-] share of missed ticks in a second that the trainee is told of."""
@@ -36,9 +35,7 @@ class RunView:
     def show(self, frame: Frame) -> None:
         view, scene, over = self._window.view, self._window.scene, self._over
         self.time = frame.time
-        view.move_surface(join_positions(frame.positions))
-        view.move_rigid(frame.rigid)
-        view.show_instruments(see_instruments(scene, frame))
+        show_frame(view, scene, frame)
         view.force_scale = ARROW * view.scenery.radius / over.force.range
         view.show_force(frame.tool_position, frame.force)
         self.force = float(np.linalg.norm(frame.force))

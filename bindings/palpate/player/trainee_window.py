@@ -135,6 +135,7 @@ class TraineeWindow(QWidget):
         self.over.reset()
         self._tell_loss()
         self.view.move_surface(self._rest)
+        self.view.show_torn(None)
         self.view.move_rigid(self.scene.rigid)
         self.view.show_force(None)
         self.view.show_instruments(())

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from palpate.render.theme import TISSUE, Colour
 from palpate.scene.scene_parts import AppearancePart, find_appearance_fault
 
-WIDTHS = {"position": 3, "normal": 3, "value": 1, "selection": 1, "openness": 1, "rest": 3,
-          "tint": 3}  # fmt: skip
+WIDTHS = {"position": 3, "normal": 3, "value": 1, "selection": 1, "torn": 1, "openness": 1,
+          "rest": 3, "tint": 3}  # fmt: skip
 """The streams of a part and how many float32 each vertex has in them."""
 
 
@@ -94,9 +94,9 @@ class Part:
     """A surface whose triangles stay and whose streams change from frame to frame.
 
     A stream is one float32 array per vertex: position [m] (n, 3), normal (n, 3), value (n,) for the
-    colour map, selection (n,) from 0 to 1, openness (n,) from 0 to 1, the share of the sky seen,
-    rest [m] (n, 3), to which patterns stick; where nobody gives it, the first position; tint
-    (n, 3), the colour of each vertex in linear light.
+    colour map, selection (n,) from 0 to 1, torn (n,) from 0 to 1, openness (n,) from 0 to 1, the
+    share of the sky seen, rest [m] (n, 3), to which patterns stick; where nobody gives it, the
+    first position; tint (n, 3), the colour of each vertex in linear light.
     Arrays are handed to OpenGL as they lie in memory, so a view into the simulation's own array is
     copied nowhere else.
     """
@@ -124,6 +124,7 @@ class Part:
             normal=np.zeros((vertex_count, 3), np.float32),
             value=np.zeros(vertex_count, np.float32),
             selection=np.zeros(vertex_count, np.float32),
+            torn=np.zeros(vertex_count, np.float32),
             openness=np.ones(vertex_count, np.float32),
             tint=np.ones((vertex_count, 3), np.float32),
         )

@@ -60,6 +60,9 @@ class Frame:
     """How far the task is; without steps where there is none."""
     rigid: tuple[palpate.RigidSnapshot, ...] = ()
     """Where each rigid body is."""
+    torn: tuple[NDArray[np.float32], ...] = ()
+    """[-] (n,) of each body's vertices, 0 to 1: how far it has torn there; empty (0,) of a body
+    that does not tear."""
 
 
 def fit_record(options: palpate.LoopOptions, longest: float) -> palpate.LoopOptions:
@@ -171,6 +174,7 @@ class LiveRun:
             now.sample,
             now.task,
             now.rigid,
+            tuple(body.torn for body in now.bodies),
         )
 
     def report(self) -> palpate.LoopReport:

@@ -186,6 +186,7 @@ def compile_scene(
         far_compliance=() if far_compliance is None else far_compliance,
         contact_facets=feels_facets(scene),
         tied_holds=ties_holds(scene),
+        tear_stretch=find_tear_stretch(scene),
     )
     instrument = palpate.Instrument(
         tool=build_tool(scene.tool),
@@ -263,6 +264,12 @@ def ties_holds(scene: SceneFile) -> bool:
     check_choice("contact_hold", model.contact_hold, CONTACT_HOLDS)
     near = model.kind in WITH_NEAR_FIELD and model.contact_law != "hard"
     return near and model.contact_hold == "tied"
+
+
+def find_tear_stretch(scene: SceneFile) -> float:
+    """[-] At which links tear; 0 for what has none."""
+    model = scene.model
+    return 0.0 if model.kind in ("linear_solid", *FINITE) else model.tear_stretch
 
 
 def raise_substeps(body: palpate.SoftBody, least: int) -> None:

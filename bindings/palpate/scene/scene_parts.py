@@ -59,6 +59,11 @@ def is_deeper(depth: float, validated: float) -> bool:
     return depth > validated * (1.0 + ROUNDING)
 
 
+LATER = "later"
+"""Metadata of a field that parts and edits of before did not have: a file says it where it is not
+the default, which is what it was before. So what was written before is written as it was."""
+
+
 @dataclass(frozen=True)
 class OrganPart:
     """Which surface is simulated."""
@@ -119,6 +124,9 @@ class ModelPart:
     contact_hold: str = field(default="fastened", metadata={"since": 14})
     """Of a near field. fastened: what a tool holds gives way as the mesh does at the vertices under
     it; tied: as tissue does at a disc as wide as the contact [contact: hold]."""
+    tear_stretch: float = field(default=0.0, metadata={LATER: True})
+    """[-] What an instrument holds tears where it is longer than so many times its length at rest;
+    0: nothing tears. Of springs and bonds [contact: tear]."""
     integrator: str = field(default="symplectic_euler", metadata={"since": 8})
     """Any but the first runs in plain code, at many times the cost."""
     fixed: tuple[int, ...] = ()

@@ -16,6 +16,16 @@ def join_positions(positions: Sequence[NDArray[np.float64]]) -> NDArray[np.float
     return positions[0] if len(positions) == 1 else np.concatenate(positions)
 
 
+def join_torn(
+    torn: Sequence[NDArray[np.float32]], positions: Sequence[NDArray[np.float64]]
+) -> NDArray[np.float32] | None:
+    """[-] (n,) of all bodies' vertices; None where none of them tears."""
+    if not any(len(each) for each in torn):
+        return None
+    whole = [np.zeros(len(each), np.float32) for each in positions]
+    return np.concatenate([t if len(t) else w for t, w in zip(torn, whole, strict=True)])
+
+
 def join_rest_surfaces(scene: palpate.Scene) -> NDArray[np.float64]:
     """[m] (n, 3) of all bodies at rest."""
     tissues = [body.tissue for body in scene.bodies]

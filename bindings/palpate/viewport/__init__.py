@@ -12,6 +12,7 @@ from palpate.viewport.legend_bar import LegendBar
 from palpate.viewport.make_view import View, make_view
 from palpate.viewport.pointer_hand import Grip, PointerHand
 from palpate.viewport.pointer_hands import PointerHands
+from palpate.viewport.show_frame import show_frame
 from palpate.viewport.view_base import ViewBase
 from palpate.viewport.view_tool import ViewTool
 
@@ -29,4 +30,5 @@ __all__ = [
     "ViewTool",
     "make_view",
     "see_instruments",
+    "show_frame",
 ]

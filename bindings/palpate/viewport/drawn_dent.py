@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from palpate.viewport.dent_patch import MOST_POINTS, DentPatch, build_dent
 from palpate.viewport.thing import Thing
 
-CARRIED = frozenset({"value", "selection", "rest", "tint"})
+CARRIED = frozenset({"value", "selection", "torn", "rest", "tint"})
 """Streams of a surface that its pieces have as well."""
 
 

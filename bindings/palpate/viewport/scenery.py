@@ -170,6 +170,13 @@ class Scenery:
             surface.appearance = self._look()
             self.version += 1
 
+    def show_torn(self, damage: ArrayLike | None) -> None:
+        """0 to 1 per vertex, where tissue has torn; None for tissue that is whole."""
+        surface = self._things.get("surface")
+        if surface is not None and (damage is not None or surface.streams["torn"].any()):
+            self.version += 1
+            surface.write("torn", 0.0 if damage is None else damage)
+
     def show_selection(self, weights: ArrayLike | None) -> None:
         """0 to 1 per vertex, what is highlighted."""
         surface = self._things.get("surface")

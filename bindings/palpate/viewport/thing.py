@@ -19,6 +19,7 @@ class Thing:
             "normal": np.zeros((vertex_count, 3), np.float32),
             "value": np.zeros(vertex_count, np.float32),
             "selection": np.zeros(vertex_count, np.float32),
+            "torn": np.zeros(vertex_count, np.float32),
             "openness": np.ones(vertex_count, np.float32),
             "rest": np.zeros((vertex_count, 3), np.float32),
         }

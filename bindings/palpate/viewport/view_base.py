@@ -118,6 +118,11 @@ class ViewBase(ViewEvents):
         self.scenery.show_colours(colours)
         self.update()
 
+    def show_torn(self, damage: ArrayLike | None) -> None:
+        """0 to 1 per vertex, where tissue has torn; None for tissue that is whole."""
+        self.scenery.show_torn(damage)
+        self.update()
+
     def show_selection(self, weights: ArrayLike | None) -> None:
         """0 to 1 per vertex, what is highlighted."""
         self.scenery.show_selection(weights)

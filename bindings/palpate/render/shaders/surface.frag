@@ -6,6 +6,7 @@ in Fragment {
   vec3 normal;
   float value;
   float selection;
+  float torn;
   float openness;
   vec3 rest;
   vec3 tint;
@@ -63,6 +64,7 @@ const vec3 KEY = vec3(1.00, 0.965, 0.92);
 const vec3 FILL = vec3(0.62, 0.74, 0.92);
 const vec3 RIM = vec3(0.80, 0.90, 1.00);
 const vec3 SKY = vec3(0.94, 0.97, 1.00);
+const vec3 WOUND = vec3(0.085, 0.002, 0.004);  // what has torn bleeds
 const vec3 FLOOR = vec3(0.50, 0.44, 0.41);
 #if INSTRUMENTS
 const vec3 GLOW = vec3(1.00, 0.72, 0.22);
@@ -142,6 +144,8 @@ vec3 paint(bool outside, vec2 pattern) {
   // the inner side of an open surface is paler and duller, so it is never taken for the outer one
   float grey = dot(c, vec3(0.2126, 0.7152, 0.0722));
   if (!outside) c = mix(vec3(0.55 * grey + 0.16), c, 0.45) * vec3(1.0, 0.93, 0.88);
+  // all of a triangle that has torn, and the nearer half of those around it, whatever paints them
+  c = mix(c, WOUND, 0.95 * smoothstep(0.4, 0.8, fragment.torn));
   return mix(c, highlight, 0.85 * smoothstep(0.0, 1.0, fragment.selection));
 }
 

@@ -12,6 +12,7 @@ in Corner {
   vec3 normal;
   float value;
   float selection;
+  float torn;
   float openness;
   vec3 rest;
   vec3 tint;
@@ -22,6 +23,7 @@ out Fragment {
   vec3 normal;
   float value;
   float selection;
+  float torn;
   float openness;
   vec3 rest;
   vec3 tint;
@@ -35,6 +37,7 @@ void main() {
     fragment.normal = corner[i].normal;
     fragment.value = corner[i].value;
     fragment.selection = corner[i].selection;
+    fragment.torn = corner[i].torn;
     fragment.openness = corner[i].openness;
     fragment.rest = corner[i].rest;
     fragment.tint = corner[i].tint;
