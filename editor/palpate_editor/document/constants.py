@@ -130,6 +130,8 @@ MOST_JAW_OPENING = 1.0
 """[rad] Of each jaw: two at a right angle and more hold nothing."""
 MOST_GRIP_FORCE = 40.0
 """[N] Pinches of 15 to 37 N harm bowel [Heijnsdijk04]; no surgeon closes a grasper harder."""
+MOST_TEAR_STRETCH = 10.0
+"""[-] Of the length at rest: there a run ends, whatever the tissue."""
 MOST_SUBSTEPS = 1000
 """Of a tick. More take longer than a tick does on any machine."""
 
@@ -225,6 +227,17 @@ CONSTANTS = (
         least=1e-4,
         above=False,
         most=1e4,
+        kinds=LINKED,
+    ),
+    Constant(
+        "model",
+        "tear_stretch",
+        "Tear stretch",
+        "",
+        "--tear-stretch",
+        "",
+        above=False,
+        most=MOST_TEAR_STRETCH,
         kinds=LINKED,
     ),
     Constant(

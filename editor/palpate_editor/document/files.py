@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import asdict, replace
+from dataclasses import Field, asdict, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +19,7 @@ from palpate.error import FileError
 from palpate.files.json_part import json_kind, read_part, read_value
 from palpate.files.refusal import Refusal
 from palpate.scenario import MOST_LANGUAGES, Container, read_container, write_container
-from palpate.scene.scene_parts import AppearancePart, ModelPart, find_appearance_fault
+from palpate.scene.scene_parts import LATER, AppearancePart, ModelPart, find_appearance_fault
 
 from palpate_editor.document.far_field import FarField
 from palpate_editor.document.history import MOST_LINES, Line
@@ -56,6 +56,17 @@ OPTIONAL = {"source": Source, "decimation": Decimation, "appearance": Appearance
 
 OF_FAR_FIELD = ("key", "patch", "tetrahedra")
 FAR_FIELD = "far_field/softness"
+
+
+def list_rare_fields() -> list[tuple[str, Field[Any]]]:
+    """(part, field) of every number that a file has only where it is not the usual one: a file of
+    before there were any is written as it was, and a reader of before refuses one that has them."""
+    return [
+        (name, field)
+        for name, kind in NUMBERS.items()
+        for field in fields(kind)
+        if field.metadata.get(LATER)
+    ]
 
 
 def write_organ(path: Path, organ: Organ) -> None:
@@ -103,6 +114,9 @@ def pack_parts(organ: Organ) -> tuple[Json, Arrays]:
         content[name] = None if part is None else asdict(part)
     for name in ARRAYS_OF_MODEL:
         del content["model"][name]
+    for name, rare in list_rare_fields():
+        if content[name][rare.name] == rare.default:
+            del content[name][rare.name]
     arrays: Arrays = {}
     if organ.imported is not None:
         arrays |= pack_surface("imported", organ.imported)
@@ -229,7 +243,10 @@ def unpack_alone(content: Any, arrays: Arrays, file: str) -> Organ:
             parts[name] = read_part(file, name, kind, content[name], whole=True)
     for name, kind in NUMBERS.items():
         without = ARRAYS_OF_MODEL if kind is ModelPart else ()
-        parts[name] = read_part(file, name, kind, content[name], without=without, whole=True)
+        section = content[name]
+        if isinstance(section, dict):
+            section = {f.name: f.default for of, f in list_rare_fields() if of == name} | section
+        parts[name] = read_part(file, name, kind, section, without=without, whole=True)
     fault = find_appearance_fault(parts["appearance"]) if parts["appearance"] else None
     if fault is not None:
         raise Refusal(file, f"appearance.{fault[0]}", *fault[1:])

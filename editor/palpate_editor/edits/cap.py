@@ -8,11 +8,11 @@ from typing import ClassVar
 
 import numpy as np
 import palpate
+from palpate.scene.scene_parts import LATER
 
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.edits.fill_holes import FillHoles
-from palpate_editor.edits.history import LATER
 from palpate_editor.edits.regions import MOST_REGIONS
 
 CAP = "cap"

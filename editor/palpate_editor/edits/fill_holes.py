@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 import palpate
+from palpate.scene.scene_parts import LATER
 
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface, phrase
@@ -16,7 +17,6 @@ from palpate_editor.edits.bend_patch import bend_patches
 from palpate_editor.edits.carry import find_closest
 from palpate_editor.edits.edit import EditError, find_surface
 from palpate_editor.edits.even_patch import even_patches
-from palpate_editor.edits.history import LATER
 from palpate_editor.edits.wall import settle_wall
 
 

@@ -12,6 +12,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 import numpy as np
 from palpate.files.json_part import json_kind, read_value
 from palpate.files.refusal import Refusal
+from palpate.scene.scene_parts import LATER
 
 from palpate_editor.document import EMPTY, History, Line, Organ, Surface, freeze
 from palpate_editor.document.history import has_room
@@ -50,10 +51,6 @@ def note(edit: Edit, before: Organ, after: Organ) -> Organ:
         history, lines = History(replace(before, history=None), folded=folded), (line,)
     return replace(after, history=replace(history, lines=lines))
 
-
-LATER = "later"
-"""Metadata of a field that edits of before did not have: a line says it where it is not the
-default, which is what they did. So a history of before is written as it was."""
 
 SURFACES_OWN = ("source", "segmentation", "assembly", "decimation", "filling", "far_field")
 """Of an organ, what goes with its surface."""

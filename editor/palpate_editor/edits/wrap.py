@@ -8,12 +8,12 @@ from typing import ClassVar
 
 import numpy as np
 import palpate
+from palpate.scene.scene_parts import LATER
 
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.carry import carry_paint
 from palpate_editor.edits.dropped import Dropped, list_dropped
 from palpate_editor.edits.edit import EditError, find_surface
-from palpate_editor.edits.history import LATER
 from palpate_editor.guarded import GuardedError, run_guarded
 
 FINENESS = 1e-2

@@ -589,6 +589,14 @@
         <translation>Nesne üzerindeki kuvvet</translation>
     </message>
     <message>
+        <source>Pressure of the jaws</source>
+        <translation>Çenelerin basıncı</translation>
+    </message>
+    <message>
+        <source>Torn tissue</source>
+        <translation>Yırtılan doku</translation>
+    </message>
+    <message>
         <source>object</source>
         <translation>nesne</translation>
     </message>
@@ -3768,6 +3776,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>Relaxation time</source>
         <translation>Gevşeme süresi</translation>
+    </message>
+    <message>
+        <source>Tear stretch</source>
+        <translation>Yırtılma uzaması</translation>
     </message>
     <message>
         <source>Grip stiffness</source>

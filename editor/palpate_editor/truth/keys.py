@@ -10,11 +10,8 @@ from importlib.metadata import version
 import numpy as np
 
 from palpate_editor.document import Organ
-from palpate_editor.truth.contact import PENALTY
-from palpate_editor.truth.levels import MOST_MEMORY, SIZES, SLOPE
+from palpate_editor.truth import contact, levels, solve, subject
 from palpate_editor.truth.paths import Way
-from palpate_editor.truth.solve import CHANGE
-from palpate_editor.truth.subject import COARSEST, FINER
 from palpate_editor.truth.tetrahedra import Floats
 
 METHOD = 1
@@ -26,7 +23,8 @@ def compute_key(organ: Organ, way: Way, radius: float, depths: Floats) -> str:
     assert organ.surface is not None
     material = organ.material
     numbers = [
-        METHOD, way.path, radius, SIZES, SLOPE, PENALTY, CHANGE, MOST_MEMORY, COARSEST, FINER,
+        METHOD, way.path, radius, levels.SIZES, levels.SLOPE, contact.PENALTY, solve.CHANGE,
+        levels.MOST_MEMORY, subject.COARSEST, subject.FINER,
         material.young_modulus, material.poisson_ratio, material.wall_thickness,
         version("scikit-fem"),
     ]  # fmt: skip

@@ -19,12 +19,15 @@ SCALES = {
     "depth": ("mm", 1e-3, 0.5, 80), "distance": ("mm", 1e-3, 0.5, 100),
     "speed": ("mm/s", 1e-3, 10.0, 100), "clearance": ("mm", 1e-3, 0.5, 60),
     "path.off": ("mm", 1e-3, 0.5, 60), "strain": ("%", 0.01, 1.0, 100),
-    "object_force": ("N", 1.0, 0.1, 60),
+    "object_force": ("N", 1.0, 0.1, 60), "pad_pressure": ("kPa", 1e3, 5.0, 80),
 }  # fmt: skip
 """Unit, what that is in SI, one tick of a slider, and how many."""
 AT_PLACE = ("contact",)
 """Measures that need a place, of those that can be added here."""
-ADDED = ("force", "contact", "depth", "speed", "distance", "force_rate", "strain", "out_of_view")
+ADDED = (
+    *("force", "contact", "depth", "speed", "distance", "force_rate", "strain", "out_of_view"),
+    *("pad_pressure", "torn"),
+)
 
 
 class LimitRow(QWidget):

@@ -38,7 +38,8 @@ def say_measure(measure: str) -> str:
         "depth": tr("Depth"), "distance": tr("Pulled distance"), "speed": tr("Speed"),
         "clearance": tr("Clearance"), "path.off": tr("Off the line"),
         "strain": tr("Strain"), "loose": tr("Dropped"), "out_of_view": tr("Tip out of view"),
-        "object_force": tr("Force on an object"),
+        "object_force": tr("Force on an object"), "pad_pressure": tr("Pressure of the jaws"),
+        "torn": tr("Torn tissue"),
     }.get(measure, measure)  # fmt: skip
 
 

@@ -12,6 +12,7 @@ from palpate.runs.alarms import advise_design, say_alarm, say_element
 from palpate.runs.cause import Cause
 from palpate.runs.element import Element
 from palpate.runs.live import Frame, LiveRun
+from palpate.scene.surfaces import join_torn
 from palpate.translation.numbers import say_digits
 from palpate.viewport import View, see_instruments
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
@@ -99,6 +100,7 @@ class Trial(QObject):
     def clear_view(self) -> None:
         """The organ at rest again, without tool and arrow."""
         self.view.move_surface(self._rest)
+        self.view.show_torn(None)
         self.view.show_values(None)
         self.view.show_instruments(())
         self.view.show_force(None)
@@ -118,6 +120,7 @@ class Trial(QObject):
         moved = np.linalg.norm(position - self._rest, axis=1)
         self._top = max(self._top, round_up(float(moved.max(initial=0.0))))
         self.view.move_surface(position)
+        self.view.show_torn(join_torn(frame.torn[:1], frame.positions[:1]))
         self.view.show_values(1e3 * moved, tr("displacement [mm]"), (0.0, 1e3 * self._top))
         self.view.show_instruments(see_instruments(self.scene, frame))
         size = float(np.linalg.norm(frame.force))
