@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from data_folder import find_data
-from tiers import name_test, read_long
+from tiers import name_test, read_list
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 
@@ -30,20 +30,27 @@ if shutil.which("ccache"):
     os.environ.setdefault("CCACHE_SLOPPINESS", "pch_defines,time_macros")
 
 
-# marks of tests that run only where -m asks for one of these marks
-TIERS = {"landing": ("landing", "window"), "verify": ("verify",)}
+# of later tiers, the latest first: the marks for which -m must ask, one of them, so that they run
+TIERS = {"verify": ("verify",), "landing": ("landing", "window")}
+
+
+def find_tier(item: pytest.Item) -> str | None:
+    """The latest tier of its marks; None for an everyday test."""
+    return next(filter(item.get_closest_marker, TIERS), None)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Tests of a later tier are left out: those of a landing run by `.ci/run`, their windows with
     all others on its X server; sweeps at full length by `./run verify`."""
-    long = read_long()
+    listed = {"landing": read_list("long.txt"), "verify": read_list("longest.txt")}
     for item in items:
-        if name_test(item.nodeid) in long:
-            item.add_marker(pytest.mark.landing)
+        name = name_test(item.nodeid)
+        for tier, names in listed.items():
+            if name in names:
+                item.add_marker(tier)
     asked = config.getoption("markexpr")
     left_out = {tier for tier, by in TIERS.items() if not any(mark in asked for mark in by)}
-    later = [item for item in items if any(map(item.get_closest_marker, left_out))]
+    later = [item for item in items if find_tier(item) in left_out]
     if later:
         config.hook.pytest_deselected(items=later)
         kept = set(items).difference(later)

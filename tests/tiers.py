@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which tests `./run test` runs; `./run landing` runs the others.
+"""Which tests `./run test` runs, which `./run landing` adds, and which are left to `./run verify`.
 
-    python tests/tiers.py RESULTS.xml ...    regenerates tests/long.txt from measured times
+    python tests/tiers.py long.txt build/results/release/pytest.xml
+    python tests/tiers.py longest.txt build/results/landing/pytest.xml ...
 
-A listed test stays listed while it takes more than half of LIMIT, or is not among the results.
+regenerate the lists of tests from measured times: what a landing adds, by what `./run test` took,
+and what only `./run verify` runs, by what a landing took. A listed test stays listed while it takes
+more than half of the list's limit, or is not among the results. Of a test with several cases the
+quickest is not listed, however long it takes.
 """
 
 from __future__ import annotations
@@ -16,10 +20,11 @@ from xml.etree import ElementTree
 
 import pytest
 
-LONG = Path(__file__).with_name("long.txt")
-"""Tests that took more than LIMIT of processor time, one a line; lines that begin with # stay."""
-LIMIT = 1.5
-"""[s]"""
+TESTS = Path(__file__).parent
+KEPT = {"long.txt": "# everyday: ", "longest.txt": "# landing: "}
+"""The lists, and with what a line of theirs begins that keeps a test out whatever it takes."""
+LIMITS = {"long.txt": 1.5, "longest.txt": 5.0}
+"""[s] of processor time, by list: what took longer is listed."""
 
 
 def keep_everyday(cases: Iterable[Any], everyday: Collection[Any]) -> list[Any]:
@@ -30,9 +35,9 @@ def keep_everyday(cases: Iterable[Any], everyday: Collection[Any]) -> list[Any]:
     ]
 
 
-def read_long() -> set[str]:
-    """As `module.path::name[case]`, which is how results name tests."""
-    lines = LONG.read_text(encoding="utf-8").splitlines()
+def read_list(name: str) -> set[str]:
+    """Tests as `module.path::name[case]`, which is how results name them."""
+    lines = (TESTS / name).read_text(encoding="utf-8").splitlines()
     return {line for line in lines if line and not line.startswith("#")}
 
 
@@ -53,13 +58,22 @@ def read_times(results: Iterable[Path]) -> dict[str, float]:
     return times
 
 
-def main(*results: str) -> None:
-    times, listed = read_times(map(Path, results)), read_long()
-    head = [line for line in LONG.read_text(encoding="utf-8").splitlines() if line[:1] == "#"]
-    kept_everyday = {line.removeprefix("# everyday: ") for line in head}
-    long = {name for name, took in times.items() if took > (LIMIT / 2 if name in listed else LIMIT)}
+def find_samples(times: dict[str, float]) -> set[str]:
+    """The quickest case of each test that has several."""
+    quickest: dict[str, str] = {}
+    for name in sorted(times, key=times.__getitem__):
+        quickest.setdefault(name.partition("[")[0], name)
+    return {name for name in quickest.values() if "[" in name}
+
+
+def main(name: str, *results: str) -> None:
+    file, limit, listed = TESTS / name, LIMITS[name], read_list(name)
+    times = read_times(map(Path, results))
+    head = [line for line in file.read_text(encoding="utf-8").splitlines() if line[:1] == "#"]
+    kept = {line.removeprefix(KEPT[name]) for line in head} | find_samples(times)
+    long = {test for test, took in times.items() if took > (limit / 2 if test in listed else limit)}
     long |= listed - set(times)
-    LONG.write_text("\n".join([*head, *sorted(long - kept_everyday), ""]), encoding="utf-8")
+    file.write_text("\n".join([*head, *sorted(long - kept), ""]), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import pytest
 from tree import CHECKOUT, install
 
 # the whole library is compiled once more after every change of it
-pytestmark = pytest.mark.landing
+library_is_compiled = pytest.mark.verify
 EXAMPLE = CHECKOUT / "tests/examples/embed_palpate"
 ABSENT = ("ZLIB", "OpenSSL", "hwy", "CGAL", "assimp", "OpenMesh", "doctest", "pybind11", "Python")
 
@@ -52,11 +52,13 @@ def shared() -> Path:
     return build
 
 
+@library_is_compiled
 def test_a_subproject_and_a_shared_library_press_an_organ_with_eigen_alone(shared):
     assert list(shared.glob("palpate/core/libpalpate_sim.so*"))
     presses(shared)
 
 
+@library_is_compiled
 def test_a_project_that_fetches_palpate_configures_with_eigen_alone_and_compiles_its_own_file(
     shared,
 ):
@@ -71,6 +73,7 @@ def test_a_project_that_fetches_palpate_configures_with_eigen_alone_and_compiles
     require("cmake", "--build", build, "--target", own)
 
 
+@library_is_compiled
 def test_an_embedding_project_gets_no_option_that_needs_more_than_eigen(shared):
     cache = (shared / "CMakeCache.txt").read_text(encoding="utf-8")
     options = dict(re.findall(r"^(PALPATE_\w+):BOOL=(\w+)$", cache, re.MULTILINE))
@@ -97,6 +100,7 @@ def prefix(shared) -> Path:
     return install(shared, "embed-prefix")
 
 
+@library_is_compiled
 def test_a_shared_installation_is_found_by_its_part_and_its_version(prefix, tmp_path):
     for number, wanted in enumerate(("REQUIRED", "REQUIRED COMPONENTS sim", "0.1 REQUIRED")):
         found = find_package(tmp_path / str(number), prefix, wanted)
@@ -104,6 +108,7 @@ def test_a_shared_installation_is_found_by_its_part_and_its_version(prefix, tmp_
         assert "sim TRUE" in found.stdout
 
 
+@library_is_compiled
 def test_a_part_that_was_not_built_or_does_not_exist_is_refused_in_a_sentence(prefix, tmp_path):
     absent = find_package(tmp_path / "absent", prefix, "REQUIRED COMPONENTS sim scenario")
     unknown = find_package(tmp_path / "unknown", prefix, "REQUIRED COMPONENTS feelings")
@@ -114,6 +119,7 @@ def test_a_part_that_was_not_built_or_does_not_exist_is_refused_in_a_sentence(pr
     assert "got component feelings, expected sim or scenario" in " ".join(unknown.stderr.split())
 
 
+@library_is_compiled
 def test_a_program_linked_with_the_shared_installation_presses_an_organ(prefix):
     source, build = CHECKOUT / "tests/examples/press_an_organ", CHECKOUT / "build/embed-linked"
     require("cmake", "-S", source, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
@@ -123,6 +129,7 @@ def test_a_program_linked_with_the_shared_installation_presses_an_organ(prefix):
     presses(build)
 
 
+@pytest.mark.landing
 def test_the_commands_of_the_guide_for_devices_name_targets_and_files_that_exist():
     guide = (CHECKOUT / "tests/examples/add_a_device/README.md").read_text(encoding="utf-8")
     (block,) = re.findall(r"```sh\n(.*?)```", guide, re.DOTALL)

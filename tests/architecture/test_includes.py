@@ -23,8 +23,9 @@ ROOMS = {
     "tree": ("base", "mesh"),
     # the tool writes what it does to the tissue into a Load, and knows nothing of dynamics
     "contact": ("base", "mesh", "model", "response", "tree"),
-    # what two jaws touch and hold, by the contacts of each and the particles under a skin
-    "grasp": ("base", "model", "contact"),
+    # what two jaws touch and hold, by the contacts of each and the particles under a skin, and what
+    # tears of it, by its laws
+    "grasp": ("base", "model", "dynamics", "contact"),
     # surfaces of tissues that touch each other, and never a tool
     "collision": ("base", "mesh", "model", "tree"),
     "device": ("base",),
@@ -77,6 +78,7 @@ SYSTEM = {
     "core/sim/base/private/realtime.cpp": POSIX,
     "core/sim/session/": ("openssl/", "zlib.h", *POSIX),
     "core/sim/packed/": ("hwy/",),
+    "core/sim/collision/held_kernels.cpp": ("hwy/",),
     "core/sim/contact/contact_lanes": ("hwy/",),
     "core/sim/contact/private/capsule_lanes": ("hwy/",),
     "core/sim/tree/private/four-inl.h": ("hwy/",),

@@ -8,8 +8,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 import tiers
-from tiers import name_test, read_long
+from tiers import LIMITS, name_test, read_list
 from tree import CHECKOUT
 
 TESTS = """
@@ -74,42 +75,77 @@ def test_a_landing_runs_all_three():
         assert any(line.endswith(command) for line in steps), command
 
 
-def test_what_is_listed_as_long_is_left_out_by_name():
-    listed = sorted(read_long())[0]
-    module, name = listed.split("::")
+@pytest.mark.parametrize(("name", "asked"), [("long.txt", "landing"), ("longest.txt", "verify")])
+def test_what_is_listed_is_left_out_by_name(name, asked):
+    longer = read_list("longest.txt") if name == "long.txt" else set()
+    listed = sorted(read_list(name) - longer)[0]
+    module, test = listed.split("::")
     file = CHECKOUT / (module.replace(".", "/") + ".py")
 
-    assert name_test(f"{module.replace('.', '/')}.py::{name}") == listed
-    assert name not in collect_of(file)
-    assert name in collect_of(file, "-m", "landing")
+    assert name_test(f"{module.replace('.', '/')}.py::{test}") == listed
+    assert test not in collect_of(file)
+    assert test in collect_of(file, "-m", asked)
 
 
-def test_every_test_that_is_listed_as_long_exists():
+def test_what_is_too_long_for_a_landing_runs_where_the_mark_verify_is_asked_for_alone():
+    listed = sorted(read_list("longest.txt"))[0]
+    module, test = listed.split("::")
+    file = CHECKOUT / (module.replace(".", "/") + ".py")
+
+    assert test not in collect_of(file, "-m", "landing")
+    assert test not in collect_of(file, "-m", "window")
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_every_test_that_is_listed_exists(name):
     missing = []
-    for listed in read_long():
-        module, name = listed.split("::")
+    for listed in read_list(name):
+        module, test = listed.split("::")
         file = CHECKOUT / (module.replace(".", "/") + ".py")
-        function = name.partition("[")[0]
+        function = test.partition("[")[0]
         if not file.exists() or f"def {function}(" not in file.read_text(encoding="utf-8"):
             missing.append(listed)
 
     assert missing == []
 
 
-def test_the_list_is_written_by_what_tests_took_and_keeps_what_is_everyday(tmp_path, monkeypatch):
-    monkeypatch.setattr(tiers, "LONG", tmp_path / "long.txt")
-    tiers.LONG.write_text(
+@pytest.fixture
+def lists(tmp_path, monkeypatch) -> Path:
+    """A folder with lists of tests that are of no project."""
+    monkeypatch.setattr(tiers, "TESTS", tmp_path)
+    (tmp_path / "long.txt").write_text(
         "# kept\n# everyday: a::journey\na::left\na::quick_now\na::still\n", encoding="utf-8"
     )
-    took = {"journey": 9.0, "new": 1.6, "still": 0.8, "quick_now": 0.7, "quick": 1.4}
+    (tmp_path / "longest.txt").write_text(
+        "# kept\n# landing: a::safety\na::hours\na::minutes_now\n", encoding="utf-8"
+    )
+    return tmp_path
+
+
+def write_results(file: Path, took: dict[str, float]) -> str:
     cases = "".join(
         f'<testcase classname="a" name="{name}"><properties>'
         f'<property name="processor_s" value="{s}"/></properties></testcase>'
         for name, s in took.items()
     )
-    (tmp_path / "results.xml").write_text(f"<testsuites>{cases}</testsuites>", encoding="utf-8")
+    file.write_text(f"<testsuites>{cases}</testsuites>", encoding="utf-8")
+    return str(file)
 
-    tiers.main(str(tmp_path / "results.xml"))
+
+def test_the_list_is_written_by_what_tests_took_and_keeps_what_is_everyday(lists):
+    took = {"journey": 9.0, "new": 1.6, "still": 0.8, "quick_now": 0.7, "quick": 1.4}
+    tiers.main("long.txt", write_results(lists / "results.xml", took))
 
     written = "# kept\n# everyday: a::journey\na::left\na::new\na::still\n"
-    assert tiers.LONG.read_text(encoding="utf-8") == written
+    assert (lists / "long.txt").read_text(encoding="utf-8") == written
+
+
+def test_what_takes_too_long_for_a_landing_is_left_to_verify_but_for_a_case_of_each_test(lists):
+    took = {"safety": 70.0, "minutes_now": 2.4, "alone": 21.0}
+    took |= {"sweep[1]": 40.0, "sweep[2]": 30.0, "sweep[3]": 50.0, "sweep[4]": 19.0}
+    took |= {"long[1]": 100.0, "long[2]": 90.0}
+    tiers.main("longest.txt", write_results(lists / "results.xml", took))
+
+    written = "# kept\n# landing: a::safety\na::alone\na::hours\na::long[1]\n"
+    written += "a::sweep[1]\na::sweep[2]\na::sweep[3]\n"
+    assert (lists / "longest.txt").read_text(encoding="utf-8") == written

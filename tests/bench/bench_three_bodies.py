@@ -7,13 +7,12 @@ without: each tick the least of three runs of a script, processor time of the th
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import palpate
 from palpate.runs.costs import write_hand
 from palpate.runs.press import find_place
 from palpate_meshes.generate import ellipsoid
+from tick_times import time_least
 
 HALF, GAP, RUNS = (0.03, 0.025, 0.02), 7e-4, 3
 NEAR_GAP = np.array([0.027, 0.0, 0.008])
@@ -52,16 +51,7 @@ def measure(scene: palpate.Scene) -> np.ndarray:
     """[s] of every tick."""
     device, end = write_hand(scene, find_place(scene, NEAR_GAP), 0, None)
     samples = [device.read(tick / scene.rate) for tick in range(round(end * scene.rate))]
-    runs = []
-    for _ in range(RUNS):
-        world, times = palpate.World(scene), []
-        for sample in samples:
-            before = time.thread_time()
-            palpate.tick(scene, sample, 1.0 / scene.rate, world)
-            times.append(time.thread_time() - before)
-        assert not world.alarm, world.alarm
-        runs.append(times)
-    return np.min(runs, axis=0)
+    return time_least(RUNS, scene, samples)
 
 
 def main() -> None:

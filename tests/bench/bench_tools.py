@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-import time
 from copy import copy
 from pathlib import Path
 
@@ -21,6 +20,7 @@ import numpy as np
 import palpate
 from palpate.assessment.instruments import shape_tool
 from palpate.runs.press import find_top
+from tick_times import time_ticks
 
 TOOLS: dict[str, dict[str, object]] = {
     "in the air": {"kind": "ball", "radius_m": 0.003, "friction": 0.0},
@@ -64,20 +64,6 @@ def list_samples(scene: palpate.Scene, tool: str) -> list[palpate.HapticSample]:
     return samples
 
 
-def time_ticks(
-    scene: palpate.Scene, samples: list[palpate.HapticSample]
-) -> tuple[np.ndarray, int, float]:
-    """[s] (ticks,) of the processor, and at the end substeps and the force [N]."""
-    world, times, force = palpate.World(scene), [], np.zeros(3)
-    for sample in samples:
-        began = time.thread_time()
-        force = palpate.tick(scene, sample, 1.0 / scene.rate, world).force
-        times.append(time.thread_time() - began)
-        if world.alarm:
-            raise SystemExit(f"alarm: {world.alarm}")
-    return np.array(times), world.bodies[0].substeps, float(np.linalg.norm(force))
-
-
 def main() -> int:
     call = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     call.add_argument("organs", nargs="*", default=["gallbladder", "stomach", "spleen", "kidney"])
@@ -95,7 +81,8 @@ def main() -> int:
         ball = np.median(least["ball"][HELD])
         for name in TOOLS:
             median, p99 = np.median(least[name][HELD]), np.quantile(least[name][HELD], 0.99)
-            _, substeps, force = runs[0][name]
+            _, world, (command,) = runs[0][name]
+            substeps, force = world.bodies[0].substeps, float(np.linalg.norm(command.force))
             print(
                 f"  {name:20} {median:8.0f} {p99:8.0f} {median - ball:+10.0f}  {substeps:8d}  "
                 f"{force:.3f} N",

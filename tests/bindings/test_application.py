@@ -7,6 +7,7 @@ import gc
 import threading
 import weakref
 
+import pytest
 from palpate.viewport import application
 
 
@@ -16,6 +17,16 @@ class Node:
     def __init__(self, ended: list[str]):
         self.itself = self
         weakref.finalize(self, lambda: ended.append(threading.current_thread().name))
+
+
+@pytest.fixture(autouse=True)
+def collecting():
+    """As a program begins: tests of windows leave the collector off in their process."""
+    collected = gc.isenabled()
+    gc.enable()
+    yield
+    if not collected:
+        gc.disable()
 
 
 def test_reference_cycles_end_in_the_thread_of_the_windows(qtbot, monkeypatch):
@@ -40,9 +51,6 @@ def test_reference_cycles_end_in_the_thread_of_the_windows(qtbot, monkeypatch):
 
 def test_where_nothing_was_collected_nothing_is_afterwards():
     gc.disable()
-    try:
-        with application.collect_in_this_thread():
-            pass
-        assert not gc.isenabled()
-    finally:
-        gc.enable()
+    with application.collect_in_this_thread():
+        pass
+    assert not gc.isenabled()

@@ -7,6 +7,7 @@ import copy
 import json
 from pathlib import Path
 
+import palpate
 import pytest
 from palpate import scenario
 from palpate.assessment import author, author_values
@@ -15,11 +16,13 @@ from palpate.assessment.check import find_problems
 from palpate.assessment.check_parts import find_all_problems
 from palpate.assessment.publish import read_assessment, with_assessment
 from palpate.cli.main import main
+from palpate.files.refusal import Refusal
 
 PUBLISHED = Path(__file__).resolve().parents[2] / "meshes" / "published"
 TITLES = {"en": "Mine", "tr": "Benim"}
 OF_OBJECTS = ("loose", "out_of_view", "object_force")
 """Measures of scenes with stones and cameras (test_object_tasks)."""
+OF_GRASPERS = ("pad_pressure", "torn")
 
 
 def made() -> author.Json:
@@ -52,7 +55,7 @@ def test_every_verb_and_measure_is_taken_by_the_reader():
         at = line if verb == "trace" else None if verb == "release" else "middle"
         new, _ = author.add_step(new, verb, at)
     places = {"contact": "middle", "clearance": ball, "path.off": line}
-    measures = [each for each in author.MEASURES if each not in OF_OBJECTS]
+    measures = [each for each in author.MEASURES if each not in (*OF_OBJECTS, *OF_GRASPERS)]
     for measure in measures:
         values = {"place": places[measure]} if measure in places else {}
         new, _ = author.add_limit(new, measure, values)
@@ -61,6 +64,25 @@ def test_every_verb_and_measure_is_taken_by_the_reader():
 
     assert len(drawn.steps) == 2 + len(verbs)
     assert len(drawn.limits) == 1 + len(measures)
+
+
+def test_a_task_watches_the_jaws_of_a_grasper_and_whether_tissue_has_torn():
+    organ = scenario.read(PUBLISHED / "gallbladder.palpate")
+    new = read_assessment(PUBLISHED.parent / "scenarios" / "gallbladder_grasp.json")
+    for measure in OF_GRASPERS:
+        new, _ = author.add_limit(new, measure)
+    assert [limit["when"] for limit in new["limits"][-2:]] == [
+        {"measure": "pad_pressure", "above": 150e3},
+        {"measure": "torn"},
+    ]
+
+    with pytest.raises(Refusal, match="no tissue of the scene has a tear_stretch"):
+        with_assessment("mine", new, organ)
+    organ.scene.bodies[0].tear_stretch = 1.6
+    drawn = scenario.draw_task(with_assessment("mine", new, organ))
+
+    measures = [limit.measure for limit in drawn.task.limits[-2:]]
+    assert measures == [palpate.TaskMeasure.pad_pressure, palpate.TaskMeasure.torn]
 
 
 def test_no_change_changes_what_it_began_with():

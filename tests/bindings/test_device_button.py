@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from pathlib import Path
+from time import monotonic
 
 import palpate
 import pytest
@@ -68,14 +69,27 @@ def is_cut(window: TraineeWindow) -> bool:
     return window.run.report().fault is palpate.DeviceFault.motors_cut
 
 
-def go_on(window: TraineeWindow, qtbot, press) -> None:
-    """Presses the button in the menu until the run goes on; clears what cut the motors, as the
-    window tells a person to.
+def clear_cut(window: TraineeWindow, qtbot) -> None:
+    """Clears what cut the motors, as the window tells a person to. C is pressed again where it had
+    no effect: before the arm has told what cut them there is nothing to clear, and they are cut
+    again where the arm is let wait once more.
     """
-    for _ in range(20):
-        if is_cut(window):
+    pressed = monotonic() - 1.0
+
+    def try_again() -> bool:
+        nonlocal pressed
+        if is_cut(window) and monotonic() - pressed >= 1.0:
             QTest.keyClick(window, Qt.Key.Key_C)
-            qtbot.waitUntil(lambda: not is_cut(window), timeout=PATIENCE)
+            pressed = monotonic()
+        return not is_cut(window)
+
+    qtbot.waitUntil(try_again, timeout=PATIENCE)
+
+
+def go_on(window: TraineeWindow, qtbot, press) -> None:
+    """Presses the button in the menu until the run goes on."""
+    for _ in range(20):
+        clear_cut(window, qtbot)
         if window.over.board() is None:
             QTest.keyClick(window, Qt.Key.Key_Escape)
         wait_until_heard(window, qtbot)

@@ -33,6 +33,8 @@ NOT_MIRRORED = {
     "Grip": "inside of balance_tool with a near field",
     "NearField.ties_holds": "SoftBody.tied_holds says so",
     "NearMemory": "inside of balance_tool with a near field",
+    "ParticleForce": "inside of a step: it cancels what torn parts bear",
+    "Load.forces": "inside of a step: of that one alone",
     "Candidates.near": "inside of balance_tool with a near field",
     "ResponseState": "inside of World; Python reads SoftState.tissue",
     "World.World": "in Python it takes `recovers` too, for a world is read-only there",

@@ -186,6 +186,7 @@ def every_number() -> list[tuple[str, str, float]]:
     changed = {
         "wall_thickness": 0.004,
         "exchange_rate": 100.0,
+        "tear_stretch": 1.6,
         "home_stiffness": 2e5,
         "poisson_ratio": None,
         "young_modulus": None,  # these two act on the default home springs of walls, or later
@@ -220,6 +221,7 @@ def test_every_number_of_a_scene_file_changes_what_is_compiled(organ, part, name
         s = compile_scene(scene, mesh)
         t = s.bodies[0].tissue
         return [
+            s.bodies[0].tear_stretch,
             list(t.mass),
             list(t.bonds.stiffness),
             list(t.bonds.damping),

@@ -29,7 +29,11 @@ NO_VALUES = {
     "Progress",
 }  # fmt: skip
 """What runs, or holds what it cannot share."""
-WORK_SPACE = {"State": {"scratch"}, "Candidates": {"lanes", "near", "border", "at_border"}}
+WORK_SPACE = {
+    "State": {"scratch"},
+    "Candidates": {"lanes", "near", "border", "at_border"},
+    "Load": {"forces"},
+}
 
 
 def read_fields(value: object) -> dict[str, object]:

@@ -85,6 +85,20 @@ def test_what_is_selected_is_orange(view):
     assert count_orange(grab(view)) == before
 
 
+def test_what_has_torn_is_dark_until_the_organ_is_whole_again(view):
+    whole = grab(view)
+    version = view.scenery.version
+    view.show_torn(None)
+    assert view.scenery.version == version, "drawn again for nothing"
+    view.show_torn((X[:, 1] < -0.01).astype(float))
+    torn = grab(view)
+    view.show_torn(None)
+
+    darker = (torn.sum(axis=2) < 0.7 * whole.sum(axis=2)).sum()
+    assert 500 < darker < 0.5 * SIZE[0] * SIZE[1]
+    assert np.array_equal(grab(view), whole)
+
+
 def test_tool_arrow_and_ring_come_and_go(view):
     plain = grab(view)
     view.show_tool((0.0, -0.028, 0.0), 0.003)

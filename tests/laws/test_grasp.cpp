@@ -200,9 +200,20 @@ void check_again(int times) {
   CHECK_FALSE(hand.world().alarm);
 }
 
+/// Of a body that is grasped, drawn out [m], and held for some seconds after it has settled.
+Hold hold_for(GraspingHand& hand, double drawn, double settles, double seconds) {
+  hand.close();
+  hand.wait(0.2);
+  hand.go(drawn, 0.1);
+  hand.wait(settles);
+  const Hold hold = measure_hold(hand, seconds);
+  MESSAGE("drift ", 1e9 * hold.drift, " nm, ", 1e6 * hold.swing, " uN");
+  return hold;
+}
+
 }  // namespace
 
-TEST_CASE("G2: a held grasp comes to rest for every hand" * doctest::test_suite("landing")) {
+TEST_CASE("G2: a held grasp comes to rest for every hand" * doctest::test_suite("verify")) {
   const Tool tool = scenes::make_grasper(kFriction, 1.0);
   for (const double coupling : {200.0, 500.0, 1000.0}) {
     check_hold(scenes::make_grasped_slab(tool, coupling), 0.003, 0.2);
@@ -218,37 +229,36 @@ TEST_CASE("G2: and so does one of a solid" * doctest::test_suite("landing")) {
   }
 }
 
-TEST_CASE("G2: a grasp that is held for a minute keeps its load" * doctest::test_suite("landing")) {
+TEST_CASE("G2: a grasp that is held for a minute keeps its load" * doctest::test_suite("verify")) {
   const Scene scene = scenes::make_grasped_slab(scenes::make_grasper(kFriction, 1.0), 500.0);
   GraspingHand hand(scene);
-  hand.close();
-  hand.wait(0.2);
-  hand.go(0.002, 0.1);
-  hand.wait(1.0);
-  const Hold hold = measure_hold(hand, 60.0);
-  MESSAGE("drift ", 1e6 * hold.drift, " um, ", 1e3 * hold.swing, " mN");
-  // the goals of 10 um and 1 mN are missed: by how jaws come to lie it is 3 to 16 um
-  CHECK(hold.drift < 1.5e-5);
-  CHECK(hold.swing < 500.0 * 1.5e-5);  // K times the most drift
+  const Hold hold = hold_for(hand, 0.002, 1.0, 60.0);
+  CHECK(hold.drift < 1e-6);
+  CHECK(hold.swing < 500.0 * 1e-6);  // K times the most drift
 }
 
-TEST_CASE("G2: a wall of prisms and a solid creep in jaws by less than 1 um in 10 s" *
-          doctest::test_suite("landing")) {
+TEST_CASE("G2: walls and a solid creep in jaws by less than 1 um in 10 s" *
+          doctest::test_suite("verify")) {
   const Tool pinch = scenes::make_grasper(kFriction, 1.0);
   const Tool gentle = scenes::make_grasper(kFriction, 0.1);
-  const std::array held{scenes::make_grasped_wall(pinch, 500.0),
+  const std::array held{scenes::make_grasped_slab(pinch, 500.0),
+                        scenes::make_grasped_wall(pinch, 500.0),
                         scenes::make_grasped_block(gentle, 500.0, build_solid)};
   for (const Scene& scene : held) {
     GraspingHand hand(scene);
-    hand.close();
-    hand.wait(0.2);
-    hand.go(0.0015, 0.1);
-    hand.wait(1.0);
-    const Hold hold = measure_hold(hand, 10.0);
-    MESSAGE("drift ", 1e9 * hold.drift, " nm, ", 1e6 * hold.swing, " uN");
+    const Hold hold = hold_for(hand, 0.0015, 1.0, 10.0);
     CHECK(hand.tool().pinches);
     CHECK(hold.drift < 1e-6);
   }
+}
+
+// Triangles that lie flat under a jaw used to be pushed at one end or the other by turns.
+TEST_CASE("G2: springs in jaws come to rest") {
+  const Scene scene = scenes::make_grasped_slab(scenes::make_grasper(kFriction, 1.0), 500.0);
+  GraspingHand hand(scene);
+  const Hold hold = hold_for(hand, 0.002, 0.5, 0.2);
+  CHECK(hold.drift < 1e-8);
+  CHECK(hold.swing < 1e-5);
 }
 
 TEST_CASE("G3: what is let go steps by no more than a tenth of its load") { check_release(500.0); }
@@ -273,7 +283,7 @@ TEST_CASE("G6: what grasps again holds as much as the first time, with the same 
   check_again(2);
 }
 
-TEST_CASE("G6: and again" * doctest::test_suite("landing")) { check_again(100); }
+TEST_CASE("G6: and again" * doctest::test_suite("verify")) { check_again(100); }
 
 TEST_CASE("G6: and a thousand times" * doctest::test_suite("verify")) { check_again(1000); }
 

@@ -184,7 +184,7 @@ TEST_CASE("R3: what jaws hold does not depend on how fine the mesh of a stone is
 }
 
 TEST_CASE("R3: stones of 1 to 8 mm are lifted, of any mesh, under 2 N and 5 N" *
-          doctest::test_suite("landing")) {
+          doctest::test_suite("verify")) {
   for (const int refined : {0, 1, 2}) {
     for (const double size : {0.001, 0.003, 0.005, 0.008}) check_lifted(size, 2.0, refined);
     check_lifted(0.008, 5.0, refined);

@@ -125,6 +125,21 @@ def find_lying(scene: palpate.Scene) -> np.ndarray:
     return np.asarray(world.rigid[0].position)
 
 
+def require_close(made: object, kept: object) -> None:
+    """The same but for the last digits of numbers, which are of the processor that summed them."""
+    assert type(made) is type(kept), (made, kept)
+    if isinstance(made, dict):
+        assert made.keys() == kept.keys()
+        for name, value in made.items():
+            require_close(value, kept[name])
+    elif isinstance(made, list):
+        assert len(made) == len(kept)
+        for one, other in zip(made, kept, strict=True):
+            require_close(one, other)
+    else:
+        assert made == (pytest.approx(kept, rel=1e-12) if isinstance(made, float) else kept)
+
+
 @pytest.mark.landing
 def test_the_scene_is_what_its_layout_publishes(shipped):
     layout = read_layout(LAYOUT).now
@@ -134,7 +149,9 @@ def test_the_scene_is_what_its_layout_publishes(shipped):
 
     kept = scenario.pack(shipped)
     for part in ("rigid", "instruments", "fluid", "gravity"):
-        assert json.loads(made.content)["scene"][part] == json.loads(kept.content)["scene"][part]
+        require_close(
+            json.loads(made.content)["scene"][part], json.loads(kept.content)["scene"][part]
+        )
     assert made.arrays.keys() == kept.arrays.keys()
     for name, rows in made.arrays.items():
         np.testing.assert_allclose(rows, kept.arrays[name], rtol=1e-9, atol=1e-12, err_msg=name)

@@ -49,6 +49,7 @@ def describe(scene: palpate.Scene) -> list[object]:
     numbers += [np.ravel(np.asarray(each, dtype=float)) for each in (
         tissue.mass, tissue.home, tissue.pressure, tissue.drag, tissue.maxwell.ratio,
         tissue.maxwell.time, body.substeps, body.force_error, body.contact_modulus,
+        body.tear_stretch,
         instrument.tool.radius, instrument.tool.stiffness, instrument.tool.friction,
         [capsule.to for capsule in instrument.tool.capsules],
         () if instrument.trocar is None else instrument.trocar,

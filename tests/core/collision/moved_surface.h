@@ -68,7 +68,7 @@ int check_gradient(Moved& first, Moved& second, SumEnergy sum_energy) {
   constexpr double kStep = 1e-9;  // [m]
   int checked = 0;
   for (Moved* surface : {&first, &second}) {
-    for (const int vertex : surface->touch.pushed) {
+    for (const int vertex : surface->touch.pushed_in_use()) {
       const auto v = static_cast<std::size_t>(vertex);
       for (int axis = 0; axis < 3; ++axis) {
         const double at = surface->x[v][axis];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/collision/moved_surface.h"
+#include "palpate/sim/collision/private/held_kernels.h"
 #include "palpate/sim/collision/private/nearest.h"
 #include "palpate/sim/collision/private/surface_contacts.h"
 
@@ -36,13 +37,13 @@ int find_plainly(const Vec3& p, std::span<const int> list, std::span<const Trian
 
 /// Two balls, the upper one's lowest vertices `apart` [m] over the lower one.
 struct Facing {
-  explicit Facing(double apart)
+  explicit Facing(double apart, const Barrier& barrier = kBarrier)
       : lower(make_ball(3)),
         upper(make_ball(3)),
         x_lower(lower.rest_position),
         x_upper(upper.rest_position),
         tree(x_lower, lower.triangles),
-        contacts(surface_of(upper), surface_of(lower), kBarrier) {
+        contacts(surface_of(upper), surface_of(lower), barrier) {
     for (Vec3& x : x_upper) x.z() += 0.04 + apart;
     renew_lists(x_upper, tree, x_lower, 0.0, contacts);
     find_near(x_upper, lower.triangles, x_lower, contacts);
@@ -212,4 +213,71 @@ TEST_CASE("a contact that is held pushes with minus the gradient of its energy")
   const double slope = (add_up(kWay, false) - add_up(-kWay, false)) / (2.0 * kWay);
   CHECK(add_up(1e-9, true) > 0.0);
   CHECK(-slope == doctest::Approx(add_up(1e-9, true)).epsilon(1e-4));
+}
+
+TEST_CASE("vector code follows and pushes held contacts as plain code does, to the bit") {
+  Facing facing(1e-3, {2e-3, 5e6, 0.3});  // so thick that many vertices are within
+  facing.find(kUnknown);
+  Moved lower(facing.lower), upper(facing.upper);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> spread(-1.0, 1.0);
+  for (Moved* moved : {&lower, &upper}) {
+    for (Vec3& v : moved->velocity) v = Vec3(spread(random), spread(random), spread(random));
+    for (Vec3& v : moved->touch.impulse) v = 0.1 * Vec3(spread(random), 0.0, spread(random));
+  }
+  std::vector<int> places;
+  for (int k = 0; k < facing.contacts.active_count; ++k) {
+    if (facing.contacts.contact[static_cast<std::size_t>(k)].triangle >= 0) places.push_back(k);
+  }
+  REQUIRE(places.size() > 4);
+  REQUIRE(places.size() % 4 != 0);
+  std::ranges::fill(facing.contacts.resistance, 2e-3);
+  // some slide too far, and some come below the floor
+  for (std::size_t v = 0; v < facing.x_upper.size(); ++v) {
+    facing.x_upper[v] += (v % 3 == 0 ? 1e-4 : 1e-6) * Vec3(1.0, 1.0, 0.0);
+    if (v % 5 == 0) facing.x_upper[v].z() -= 8.5e-4;
+  }
+  const TouchingSurface above{upper.tissue, facing.x_upper, upper.velocity, upper.touch};
+  const TouchingSurface below{lower.tissue, facing.x_lower, lower.velocity, lower.touch};
+  constexpr double kStep = 1e-3;  // [s]
+
+  Facing plainly = facing;
+  std::vector<int> lapsed(places.size(), 0);
+  const std::size_t slid = held_kernels::plain().follow(
+      facing.x_upper, facing.lower.triangles, facing.x_lower, places, plainly.contacts, lapsed);
+  CHECK(slid > 0);
+  CHECK(slid < places.size());
+  unsigned stopped = 0;
+  for (const held_kernels::Kernels* kernels : held_kernels::available()) {
+    CAPTURE(std::string(kernels->target));
+    Facing followed = facing;
+    std::vector<int> also(places.size(), 0);
+    REQUIRE(kernels->follow(facing.x_upper, facing.lower.triangles, facing.x_lower, places,
+                            followed.contacts, also) == slid);
+    CHECK(also == lapsed);
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      const auto k = static_cast<std::size_t>(places[n]);
+      REQUIRE(followed.contacts.contact[k].gap == plainly.contacts.contact[k].gap);
+    }
+    for (const bool has_impulse : {false, true}) {
+      upper.touch.has_impulse = lower.touch.has_impulse = has_impulse;
+      for (std::size_t n = 0; n < places.size(); ++n) {
+        std::array<int, 4> four;
+        for (std::size_t lane = 0; lane < four.size(); ++lane) {
+          four[lane] = places[(n + lane) % places.size()];
+        }
+        const auto push = [&](const held_kernels::Kernels& of) {
+          return of.push(kStep, above, below, plainly.contacts, four);
+        };
+        const held_kernels::FourForces expected = push(held_kernels::plain());
+        const held_kernels::FourForces forces = push(*kernels);
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+          REQUIRE(forces.force[lane] == expected.force[lane]);
+        }
+        REQUIRE(forces.stopped == expected.stopped);
+        stopped |= forces.stopped;
+      }
+    }
+  }
+  CHECK(stopped != 0);
 }

@@ -252,6 +252,7 @@ TEST_CASE("what a pair cannot be is refused with where, what and why") {
   CHECK(
       says(with([](Scene& s) {
              s.bodies[1].tissue = build_linear_solid(make_block({0.02, 0.02, 0.02}, {2, 2, 2}), {});
+             s.bodies[1].kernel = Kernel::response;
            }),
            "a linear solid under its response"));
 }

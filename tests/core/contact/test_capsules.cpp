@@ -8,6 +8,7 @@
 #include "core/tree/soups.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/private/axes.h"
+#include "palpate/sim/contact/private/list_contacts.h"
 #include "palpate/sim/packed/simd_targets.h"
 #include "skip.h"
 #include "tool_bench.h"
@@ -81,6 +82,64 @@ TEST_CASE("a capsule of no length is a ball, and one from its two ends is the sa
   CHECK(touched > 50);
 }
 
+namespace {
+
+Shape make_shape(const Tool& tool, const Vec3& from, const Vec3& to) {
+  Shape shape{tool, {}};
+  shape.axes.capsules[0] = {from, to};
+  shape.axes.count = 1;
+  return shape;
+}
+
+/// The largest steps by which the point that is pressed goes over a triangle of two millimetres, as
+/// the axis above it goes from one place to another in a thousand steps.
+struct Steps {
+  double closest = 0.0, spread = 0.0;  // [-] of a weight
+};
+
+Steps turn_axis(const Capsule& first, const Capsule& last, const std::array<Vec3, 3>& corners) {
+  const Tool tool{.radius = 0.0012, .stiffness = kStiffness};
+  const auto& [a, b, c] = corners;
+  Steps most;
+  Vec3 closest, spread;
+  for (int i = 0; i <= 1000; ++i) {
+    const double part = 1e-3 * i;
+    const Vec3 from = first.from + part * (last.from - first.from);
+    const Vec3 to = first.to + part * (last.to - first.to);
+    Contact contact;
+    REQUIRE(find_capsule_contact(tool, 1e-6, from, to, a, b, c, contact));
+    const Vec3 before = contact.weights;
+    spread_contact(make_shape(tool, from, to), Vec3::Zero(), a, b, c, contact);
+    CHECK(contact.weights.sum() == doctest::Approx(1.0));
+    CHECK(contact.weights.minCoeff() >= 0.0);
+    if (i > 0) {
+      most.closest = std::max(most.closest, (before - closest).cwiseAbs().maxCoeff());
+      most.spread = std::max(most.spread, (contact.weights - spread).cwiseAbs().maxCoeff());
+    }
+    closest = before;
+    spread = contact.weights;
+  }
+  return most;
+}
+
+}  // namespace
+
+// The closest point of a triangle goes from end to end of it where a jaw turns past parallel, and
+// what is pushed there by turns never comes to rest.
+TEST_CASE("where a jaw presses on a triangle does not jump as they turn past parallel") {
+  const std::array<Vec3, 3> corners = {Vec3(0, 0, 0), Vec3(0.002, 0, 0), Vec3(0, 0.002, 0)};
+  const Vec3 from(-0.01, 0.0005, 0.0009), to(0.01, 0.0005, 0.0009);
+  const Vec3 up(0, 0, 0.0005), aside(0, 0.002, 0), beside(0, -0.0009, 0);
+  const Steps tilts = turn_axis({from + up, to - up}, {from - up, to + up}, corners);
+  CHECK(tilts.closest > 0.5);
+  CHECK(tilts.spread < 0.01);
+  // in the triangle's plane, beside the edge that it is parallel to on the way
+  const Steps turns = turn_axis({from + beside - aside, to + beside + aside},
+                                {from + beside + aside, to + beside - aside}, corners);
+  CHECK(turns.closest > 0.5);
+  CHECK(turns.spread < 0.01);
+}
+
 TEST_CASE("capsules in lanes are those of the law, one by one, on every vector target") {
   SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
   Dice dice(82);
@@ -109,6 +168,8 @@ TEST_CASE("capsules in lanes are those of the law, one by one, on every vector t
       lanes.rest_area[lane] = 2e-6;
     }
     lanes.find_capsules(lanes, tool.radius, tool.stiffness);
+    ContactLanes jaws = lanes;
+    jaws.find_jaws(jaws, tool.radius, tool.stiffness);
     int contacts = 0;
     for (std::size_t t = 0; t < kCount; ++t) {
       CAPTURE(t);
@@ -120,6 +181,11 @@ TEST_CASE("capsules in lanes are those of the law, one by one, on every vector t
       if (!(expected.force > 1e-6)) continue;
       ++contacts;
       CHECK(lanes.distance[t] == doctest::Approx(expected.distance).epsilon(1e-8));
+      CHECK(jaws.force[t] == lanes.force[t]);
+      spread_contact(make_shape(tool, from, to), Vec3::Zero(), a, b, c, expected);
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(jaws.weights[k][t] - expected.weights[static_cast<Eigen::Index>(k)]) < 1e-6);
+      }
     }
     CHECK(contacts > 150);
   }
@@ -225,4 +291,48 @@ TEST_CASE("T6: capsules pressed four radii into a narrow dent stay finite and ou
   }
   CHECK(bench.state.position.z() > -0.010);
   CHECK(std::abs(bench.state.position.x()) < 0.00125);
+}
+
+TEST_CASE(
+    "triangles out of reach are left out of lanes until the tool may reach them, to the bit") {
+  SKIP_UNLESS(!simd_targets().empty(), "this build has no vector code");
+  const Tool tool = make_chain();
+  Bench bench(make_ball(4), tool), fresh(make_ball(4), tool);
+  const int count = static_cast<int>(bench.mesh.triangles.size());
+  for (Bench* each : {&bench, &fresh}) each->candidates.lanes = ContactLanes(count, "", 2);
+  Dice dice(8);
+  int touched = 0, left_out = 0;
+  for (int way = 0; way < 40; ++way) {
+    const Quaternion turn = turn_by(dice);
+    const Shape shape{tool, Axes(tool, turn)};
+    const Vec3 from = 0.0255 * dice.vector(1.0).normalized(), step = dice.vector(2e-4);
+    ContactLanes& lanes = bench.candidates.lanes;
+    lanes.reach = -1.0;
+    // out to more than a radius, in which lanes are filled again several times
+    for (int k = 0; k < 15; ++k) {
+      const Vec3 p = from + k * step;
+      for (Bench* each : {&bench, &fresh}) {
+        find_candidates(each->tree, each->mesh.vertices, tool, p, p, each->areas, each->candidates,
+                        turn);
+      }
+      const auto on = [&](Bench& its) {
+        return TouchedSurface{&its.candidates, its.mesh.triangles, its.mesh.vertices, &its.load};
+      };
+      std::vector<TriangleContact> seen;
+      for_each_closest(shape, on(bench), p, [&](int t, const Contact& contact) {
+        seen.push_back({t, contact});
+      });
+      const auto all = list_contacts(tool, on(fresh), p, turn);
+      REQUIRE(seen.size() == all.size());
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        CHECK(seen[i].triangle == all[i].triangle);
+        CHECK(seen[i].contact.force == all[i].contact.force);
+        CHECK(seen[i].contact.direction == all[i].contact.direction);
+      }
+      touched += static_cast<int>(all.size());
+      left_out += bench.candidates.count - lanes.count;
+    }
+  }
+  CHECK(touched > 1000);
+  CHECK(left_out > 1000);
 }

@@ -204,7 +204,7 @@ struct Poke {
     const TouchedSurface one{&first, mesh.triangles, mesh.vertices, &load};
     TouchedSurface other = one;
     other.candidates = &second;
-    return balance_jaws(tool, coupling, hand, {{{&one, 1}, {&other, 1}}}, 5e-5, state);
+    return balance_jaws(tool, coupling, hand, {{{&one, 1}, {&other, 1}}}, 5e-5, state, most_fall);
   }
   Vec3 move_hand_for(const Vec3& hand, int ticks) {
     Vec3 felt = Vec3::Zero();
@@ -223,9 +223,31 @@ struct Poke {
   Candidates first, second;
   Load load;
   ToolState state{0, 0, 64};
+  double most_fall = 0.0;
 };
 
 }  // namespace
+
+TEST_CASE("what is felt of jaws that nothing holds falls by what it may") {
+  Poke poke(5.0);
+  const Vec3 tool(0.0, 0.0, 0.08), hand(0.0, 0.0, 0.083);  // 3 N apart, and nothing is near
+  for (Candidates* none : {&poke.first, &poke.second}) none->count = 0;
+  poke.state.felt_before = Vec3(0.0, 0.0, -3.0);
+  for (const double most_fall : {0.5, 0.01}) {
+    CAPTURE(most_fall);
+    poke.most_fall = most_fall;
+    poke.state.position = tool;
+
+    const Vec3 felt = poke.move_hand(hand);
+
+    CHECK((felt - Vec3(0.0, 0.0, most_fall - 3.0)).norm() < 1e-12);
+    CHECK((poke.state.position - tool).norm() == doctest::Approx(most_fall / 1000.0));
+    // of what was felt in the tick before, however many substeps it has
+    CHECK((poke.move_hand(hand) - felt).norm() < 1e-12);
+  }
+  poke.most_fall = 0.0;
+  CHECK(poke.move_hand(hand) == Vec3::Zero());
+}
 
 TEST_CASE("jaws of a weak hand that have lost the surface find it again without a blow") {
   // they go to the hand first, millimetres behind the surface, and come back in the same call

@@ -78,6 +78,10 @@ TEST_CASE("a task that cannot be judged is refused, with place, value and what w
          t.limits[0].place = 0;
        },
        "task: limits[0].place: got a region, expected a ball"},
+      {[](Task& t) { t.limits[0].measure = TaskMeasure::pad_pressure; },
+       "task: limits[0].instrument: got one without jaws"},
+      {[](Task& t) { t.limits[0].measure = TaskMeasure::torn; },
+       "task: limits[0].measure: got what has torn, expected another: no tissue"},
       {[](Task& t) { t.places[0].vertices = {25}; }, "task: places[0].vertices: got 25"},
       {[](Task& t) { t.places[0].vertices.clear(); }, "task: places[0].vertices: got none"},
       {[](Task& t) { t.places[0].body = 1; }, "task: places[0].body: got 1"},

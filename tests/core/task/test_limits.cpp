@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "core/task/staged_world.h"
+#include "scenes/grasped.h"
 
 using namespace palpate;
 using namespace palpate::testing;
@@ -246,6 +247,30 @@ TEST_CASE("strain is the largest principal one of the triangles that the tool to
   for (std::size_t v = 0; v < now.size(); ++v) now[v] = 0.8 * rest[v];
   staged.judge(200);
   CHECK_FALSE(staged.limit(0).open);
+}
+
+TEST_CASE("jaws that press too hard are told, and tissue that has torn") {
+  Scene scene = sheet_scene();
+  scene.instruments[0].tool = scenes::make_grasper(0.5, 5.0);
+  scene.bodies[0].tear_stretch = 1.6;
+  Task task = limited({.measure = TaskMeasure::pad_pressure, .bound = 150e3});
+  task.limits.push_back({.measure = TaskMeasure::torn, .duration = 0.0});
+  StagedWorld staged(task, std::move(scene));
+  staged.world.instruments[0].tool.pad_pressure = 149e3;
+  staged.judge(100);
+  CHECK(staged.limit(0).count == 0);
+  CHECK(staged.limit(1).count == 0);
+
+  staged.world.instruments[0].tool.pad_pressure = 180e3;
+  staged.judge(100);
+  CHECK(staged.limit(0).count == 1);
+  CHECK(staged.limit(0).worst == doctest::Approx(180e3));
+
+  // it does not grow together again: one error, whatever follows
+  staged.world.bodies[0].torn_count = 3;
+  staged.judge(1000);
+  CHECK(staged.limit(1).count == 1);
+  CHECK(staged.limit(1).open);
 }
 
 TEST_CASE("time counts ticks, and errors are counted") {

@@ -5,6 +5,9 @@
 #include "palpate/sim/dynamics/private/alarms.h"
 #include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/model/tissue_model.h"
+#include "palpate/sim/tick/private/follow_button.h"
+#include "palpate/sim/tick/private/world_internals.h"
+#include "scenes/grasped.h"
 #include "scenes/linear_solids.h"
 
 using namespace palpate;
@@ -154,5 +157,95 @@ TEST_CASE("a grip of a linear solid lets go before it has been moved too far, ho
       CHECK(slipped.largest_force < scene.instruments[0].coupling.force_max);
       CHECK(slipped.largest_drop < 0.08 * slipped.largest_force);
     }
+  }
+}
+
+namespace {
+
+/// A slab that jaws hold and have drawn out.
+struct Held {
+  const Scene scene = scenes::make_grasped_slab(scenes::make_grasper(0.5, 1.0), 500.0);
+  World world = hold(scene);
+
+  static World hold(const Scene& scene) {
+    scenes::GraspingHand hand(scene);
+    hand.close();
+    hand.go(0.003, 0.3);
+    return hand.world();
+  }
+  /// A tick of a hand that has opened, where the smallest volume is that of what it is at rest.
+  void open(double volume) {
+    world.bodies[0].stretch.smallest_volume = internals(world.bodies[0]).volume_before = volume;
+    HapticSample sample;
+    sample.position = world.instruments[0].hand;
+    follow_jaws(scene, 0, sample, 1e-3, world);
+  }
+};
+
+/// [-] What is left of the closing force in each tick from when a hand opens its jaws, where the
+/// smallest volume of what they hold is `volume` of that at rest.
+std::vector<double> open_jaws(double volume) {
+  Held jaws;
+  World& world = jaws.world;
+  const double held = world.instruments[0].tool.grip_limit;
+  std::vector<double> left;
+  for (int k = 0; k < 60 && world.instruments[0].attach_pressed; ++k) {
+    jaws.open(volume);
+    left.push_back(world.instruments[0].tool.grip_limit / held);
+  }
+  left.pop_back();  // in the last they have let go, and open with little
+  return left;
+}
+
+}  // namespace
+
+TEST_CASE("jaws let go of tissue near an alarm in 5 ms, as a hold does, and else in 30 and more") {
+  const std::vector<double> calm = open_jaws(0.5), near = open_jaws(0.08);
+
+  CHECK(calm.size() >= 30);
+  // a fifth of the load a tick, of which what could not be borne was taken first
+  REQUIRE(near.size() == 4);
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    CHECK(near[k] <= 0.2 * (4.0 - static_cast<double>(k)) + 1e-12);
+    CHECK(near[k] > 0.0);
+  }
+}
+
+TEST_CASE("opened jaws come away from what collapses, however much of what is felt goes with it") {
+  for (const double volume : {0.5, 0.08, 0.0}) {
+    CAPTURE(volume);
+    Held jaws;
+    InstrumentState& state = jaws.world.instruments[0];
+    REQUIRE(state.last_force.norm() > 0.1);
+    state.attach_pressed = false;
+    state.tool.felt_change = 0.01;
+    jaws.open(volume);
+    CHECK(state.tool.felt_change == (volume < 0.05 ? state.last_force.norm() : 0.01));
+  }
+}
+
+// They had closed in a crease, and the hand was pushed by 0.1 to 0.5 N in a tick.
+TEST_CASE("jaws that tissue shuts again after they have opened are as even as while they opened") {
+  for (const double grip : {0.05, 1.0}) {
+    CAPTURE(grip);
+    Held jaws;
+    InstrumentState& state = jaws.world.instruments[0];
+    const double open = jaws.scene.instruments[0].tool.jaws->open;
+    state.attach_pressed = true;
+    state.tool.jaw_wanted = open;
+    state.tool.jaw_angle = 0.5 * open;
+    state.tool.touching = true;
+    state.tool.grip_limit = grip * jaws.scene.instruments[0].tool.jaws->grip;
+    jaws.open(0.5);
+
+    // jaws whose hand has never closed them have all of their force, and press as it goes
+    const bool shut = grip < 1.0;
+    CHECK(state.tool.felt_change == (shut ? Approx(state.last_force.norm() / 15.0) : Approx(0.0)));
+    CHECK(state.attach_pressed != shut);
+    jaws.open(0.5);
+    CHECK((state.tool.felt_change > 0.0) == shut);
+    state.tool.touching = false;
+    jaws.open(0.5);
+    CHECK((state.tool.felt_change > 0.0) == (shut && state.tool.residual.norm() >= 1e-3));
   }
 }

@@ -16,7 +16,18 @@ from palpate.study.truth_file import read_truth
 from palpate_editor.document import EMPTY, Surface
 from palpate_editor.document.files import write_organ
 from palpate_editor.edits import FixLowest
-from palpate_editor.truth import Drag, Press, Pull, Script, TruthError, find_truth, solve_truth
+from palpate_editor.truth import (
+    Drag,
+    Press,
+    Pull,
+    Script,
+    TruthError,
+    find_truth,
+    levels,
+    solve,
+    solve_truth,
+    subject,
+)
 from palpate_meshes.generate import ellipsoid
 
 BALL = 8e-3
@@ -36,11 +47,10 @@ def cache(tmp_path_factory):
 @pytest.fixture(autouse=True)
 def coarse(monkeypatch):
     """Fewer tetrahedra than a truth needs, so that it takes seconds."""
-    monkeypatch.setattr("palpate_editor.truth.subject.COARSEST", 200)
-    monkeypatch.setattr("palpate_editor.truth.keys.COARSEST", 200)
-    monkeypatch.setattr("palpate_editor.truth.levels.SIZES", (1.2, 1.6, 2.0))
-    monkeypatch.setattr("palpate_editor.truth.levels.SLOPE", (1.5, 1.3, 1.1))
-    monkeypatch.setattr("palpate_editor.truth.solve.CHANGE", 1.0)
+    monkeypatch.setattr(subject, "COARSEST", 200)
+    monkeypatch.setattr(levels, "SIZES", (1.2, 1.6, 2.0))
+    monkeypatch.setattr(levels, "SLOPE", (1.5, 1.3, 1.1))
+    monkeypatch.setattr(solve, "CHANGE", 1.0)
 
 
 def ask(cache, organ=None, path=None, **options):
