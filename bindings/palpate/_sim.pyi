@@ -6390,6 +6390,11 @@ class LoopReport:
     def missed_ticks(self) -> int:
         """Skipped because an earlier tick was still at work."""
     @property
+    def slow_ticks(self) -> int:
+        """That took longer than a period of the processor's own time. Where ticks are missed
+        and these are none, the machine was busy with something else.
+        """
+    @property
     def unpaced_ticks(self) -> int:
         """Went without the report of a device that has its own pace."""
     @property
@@ -6398,6 +6403,9 @@ class LoopReport:
     @property
     def cost(self) -> Percentiles:
         """Of the tick itself, device included."""
+    @property
+    def processor(self) -> Percentiles:
+        """Of the tick likewise, in the time its thread had a processor."""
     @property
     def part_costs(self) -> SceneCosts:
         """Of its parts; of no ticks unless LoopOptions.measures_costs."""
@@ -6473,6 +6481,8 @@ class LoopReport:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
+        object,
         object,
         object,
         object,

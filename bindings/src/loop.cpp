@@ -180,11 +180,16 @@ void bind_report(py::module_& m) {
   report.def_readonly("ticks", &LoopReport::ticks, "How many were run.")
       .def_readonly("missed_ticks", &LoopReport::missed_ticks,
                     "Skipped because an earlier tick was still at work.")
+      .def_readonly("slow_ticks", &LoopReport::slow_ticks,
+                    "That took longer than a period of the processor's own time. Where ticks are "
+                    "missed and these are none, the machine was busy with something else.")
       .def_readonly("unpaced_ticks", &LoopReport::unpaced_ticks,
                     "Went without the report of a device that has its own pace.")
       .def_readonly("lateness", &LoopReport::lateness,
                     "Start of a tick behind the first due time since the last one.")
       .def_readonly("cost", &LoopReport::cost, "Of the tick itself, device included.")
+      .def_readonly("processor", &LoopReport::processor,
+                    "Of the tick likewise, in the time its thread had a processor.")
       .def_readonly("part_costs", &LoopReport::part_costs,
                     "Of its parts; of no ticks unless LoopOptions.measures_costs.")
       .def_readonly("realtime", &LoopReport::realtime, "Granted.")
@@ -225,22 +230,23 @@ void bind_report(py::module_& m) {
       .def_readonly("exchange_cost", &LoopReport::exchange_cost, "Of the tissue, for one.");
   def_elements(report, "devices", &LoopReport::devices,
                "A DeviceReport each, in the order of the instruments, a tuple.");
-  def_value(report, &LoopReport::ticks, &LoopReport::missed_ticks, &LoopReport::unpaced_ticks,
-            &LoopReport::lateness, &LoopReport::cost, &LoopReport::part_costs,
-            &LoopReport::realtime, &LoopReport::realtime_note, &LoopReport::alarm,
-            &LoopReport::alarm_body, &LoopReport::safeguarded_ticks, &LoopReport::averted,
-            &LoopReport::averted_body, &LoopReport::fault, &LoopReport::fault_reason,
-            &LoopReport::record_gaps, &LoopReport::unrendered_ticks, &LoopReport::peak_force,
-            &LoopReport::touch_ticks, &LoopReport::touch_force, &LoopReport::devices,
-            &LoopReport::damped_ticks, &LoopReport::interventions, &LoopReport::exchanges,
-            &LoopReport::late_exchanges, &LoopReport::exchange_cost, &LoopReport::outcome);
-  def_repr(report, {"ticks",       "missed_ticks",     "unpaced_ticks", "lateness",
-                    "cost",        "part_costs",       "realtime",      "realtime_note",
-                    "alarm",       "alarm_body",       "fault",         "fault_reason",
-                    "record_gaps", "unrendered_ticks", "peak_force",    "touch_ticks",
-                    "touch_force", "damped_ticks",     "interventions", "devices",
-                    "exchanges",   "late_exchanges",   "exchange_cost", "safeguarded_ticks",
-                    "averted",     "averted_body"});
+  def_value(report, &LoopReport::ticks, &LoopReport::missed_ticks, &LoopReport::slow_ticks,
+            &LoopReport::unpaced_ticks, &LoopReport::lateness, &LoopReport::cost,
+            &LoopReport::processor, &LoopReport::part_costs, &LoopReport::realtime,
+            &LoopReport::realtime_note, &LoopReport::alarm, &LoopReport::alarm_body,
+            &LoopReport::safeguarded_ticks, &LoopReport::averted, &LoopReport::averted_body,
+            &LoopReport::fault, &LoopReport::fault_reason, &LoopReport::record_gaps,
+            &LoopReport::unrendered_ticks, &LoopReport::peak_force, &LoopReport::touch_ticks,
+            &LoopReport::touch_force, &LoopReport::devices, &LoopReport::damped_ticks,
+            &LoopReport::interventions, &LoopReport::exchanges, &LoopReport::late_exchanges,
+            &LoopReport::exchange_cost, &LoopReport::outcome);
+  def_repr(report, {"ticks",         "missed_ticks",      "unpaced_ticks", "lateness",
+                    "cost",          "part_costs",        "realtime",      "realtime_note",
+                    "slow_ticks",    "processor",         "alarm",         "alarm_body",
+                    "fault",         "fault_reason",      "record_gaps",   "unrendered_ticks",
+                    "peak_force",    "touch_ticks",       "touch_force",   "damped_ticks",
+                    "interventions", "devices",           "exchanges",     "late_exchanges",
+                    "exchange_cost", "safeguarded_ticks", "averted",       "averted_body"});
 }
 
 /// The devices of a loop, as Python owns them; let go of under its lock.

@@ -20,7 +20,7 @@ from palpate.cli.main import main
 from palpate.command.verb import WrongCall
 from palpate.files.refusal import Refusal
 from palpate.runs.play import find_free, open_play
-from palpate.runs.run import describe_build
+from palpate.runs.run import describe_build, say_missed
 from palpate.runs.script_file import read_script_file, write_script_file
 from palpate.system.data_folder import find_data_folder, find_record_folder
 from published import TASK, TITLE, publish, publish_unstable, read_peak, write_press
@@ -79,6 +79,14 @@ def test_the_report_for_people_says_where_the_record_is_and_what_this_is_not(
     assert TITLE in out
     assert "not validated, not a medical device" in out
     assert palpate.read_record(records[0]).complete
+
+
+def test_of_missed_ticks_it_is_said_whether_the_scene_took_them():
+    assert say_missed({"missed_ticks": 0, "slow_ticks": 0}) == "0 missed"
+    waited = say_missed({"missed_ticks": 12, "slow_ticks": 0})
+    assert waited == "12 missed, as the loop was kept waiting: no tick took that long by itself"
+    heavy = say_missed({"missed_ticks": 12, "slow_ticks": 9})
+    assert heavy == "12 missed, and 9 took longer by themselves than a tick may"
 
 
 def test_playing_headless_loads_no_qt(tmp_path):

@@ -16,7 +16,7 @@ from palpate.runs.kept_play import open_keeper, play_kept
 from palpate.runs.live import find_longest
 from palpate.runs.play import open_play
 from palpate.runs.play_report import DEVICE_FAULT, play_headless
-from palpate.runs.run import PUBLISHED, say_link
+from palpate.runs.run import PUBLISHED, say_link, say_missed
 from palpate.system.display import require_display
 
 EXTRA = 'pip install "palpate[player]"'
@@ -147,7 +147,7 @@ def describe_play_report(report: Report) -> str:
     if report.get("ticks"):
         lines += [
             *describe_felt(report),
-            f"ticks        {report['ticks']}; {report['missed_ticks']} missed",
+            f"ticks        {report['ticks']}; {say_missed(report)}",
             f"tick         {report['tick_median_us']:.0f} us median, "
             f"{report['tick_p99_us']:.0f} us p99",
             f"lateness     {report['lateness_p99_us']:.0f} us p99, "

@@ -26,7 +26,13 @@ from palpate.runs.press import (
     take_surface,
     write_script,
 )
-from palpate.runs.run import read_scene, require_one_instrument, run_script, say_link
+from palpate.runs.run import (
+    read_scene,
+    require_one_instrument,
+    run_script,
+    say_link,
+    say_missed,
+)
 from palpate.runs.script_file import write_script_file
 
 
@@ -129,7 +135,7 @@ def describe_press(report: Report) -> str:
             f"tick         {report['tick_median_us']:.0f} us median, "
             f"{report['tick_p99_us']:.0f} us p99, {report['substeps']} substeps",
             f"lateness     {report['lateness_p99_us']:.0f} us p99; "
-            f"{report['missed_ticks']} ticks missed; {report['realtime']}",
+            f"ticks {say_missed(report)}; {report['realtime']}",
             *([f"safeguards   {report['averted']}"] if "averted" in report else []),
             *say_link(report),
         ]

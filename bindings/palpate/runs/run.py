@@ -194,6 +194,7 @@ def describe_costs(costs: palpate.LoopReport, scene: palpate.Scene) -> Report:
         "tick_p99_us": 1e6 * costs.cost.p99,
         "lateness_p99_us": 1e6 * costs.lateness.p99,
         "missed_ticks": costs.missed_ticks,
+        "slow_ticks": costs.slow_ticks,
         "realtime": "real-time priority" if costs.realtime else costs.realtime_note,
         "passivity_interventions": costs.interventions,
         "damped_ticks": costs.damped_ticks,
@@ -212,6 +213,16 @@ def describe_exchanges(costs: palpate.LoopReport) -> Report:
         "exchange_median_ms": 1e3 * costs.exchange_cost.median,
         "exchange_p99_ms": 1e3 * costs.exchange_cost.p99,
     }
+
+
+def say_missed(report: Report) -> str:
+    """How many ticks were missed, and whether the scene is what was too slow."""
+    missed, slow = report["missed_ticks"], report["slow_ticks"]
+    if not missed:
+        return "0 missed"
+    if not slow:
+        return f"{missed} missed, as the loop was kept waiting: no tick took that long by itself"
+    return f"{missed} missed, and {slow} took longer by themselves than a tick may"
 
 
 def say_link(report: Report) -> list[str]:

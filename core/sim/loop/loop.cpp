@@ -166,7 +166,7 @@ void Loop::Impl::rest_devices() noexcept {
 }
 
 void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
-  const std::int64_t begun = read_clock();
+  const std::int64_t begun = read_clock(), had = read_thread_clock();
   const long number = world.tick_count;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     held[i] = count_held(world.instruments[i].tool);
@@ -182,6 +182,7 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
     channels[i]->safe().write(commands[i]);
   }
   spent = read_clock() - begun;
+  const std::int64_t of_processor = read_thread_clock() - had;
 
   if (skipped > 0) tell(number, EventKind::missed_ticks, static_cast<std::int32_t>(skipped));
   notice_holds(number);
@@ -196,6 +197,8 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   keep();
   latenesses.add(lateness);
   costs.add(spent);
+  processor.add(of_processor);
+  if (of_processor > pace.period()) slow.fetch_add(1, std::memory_order_relaxed);
   if (part_costs && !tissue && !world.alarm) part_costs->add(world.costs);
   ticks.store(number + 1, std::memory_order_relaxed);
   if (number % snapshot_ticks == 0) publish();
@@ -315,10 +318,12 @@ LoopReport Loop::report() const {
   LoopReport report;
   report.ticks = impl_->ticks.load(std::memory_order_relaxed);
   report.missed_ticks = impl_->missed.load(std::memory_order_relaxed);
+  report.slow_ticks = impl_->slow.load(std::memory_order_relaxed);
   report.safeguarded_ticks = impl_->safeguarded.load(std::memory_order_relaxed);
   report.unpaced_ticks = impl_->pace.unpaced();
   report.lateness = percentiles_of(impl_->latenesses);
   report.cost = percentiles_of(impl_->costs);
+  report.processor = percentiles_of(impl_->processor);
   if (impl_->part_costs) report.part_costs = impl_->part_costs->summarise();
   if (const TissueWorker* tissue = impl_->tissue.get()) {
     report.exchanges = tissue->exchanges();

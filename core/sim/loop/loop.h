@@ -112,10 +112,15 @@ static_assert(alignof(DeviceReport) == 8);
 /// What a run of the loop cost.
 struct LoopReport {
   long ticks = 0;
-  long missed_ticks = 0;      ///< skipped because an earlier tick was still at work
+  long missed_ticks = 0;  ///< skipped because an earlier tick was still at work
+  /// That took longer than a period of the processor's own time. Where ticks are missed and these
+  /// are none, the machine was busy with something else; where they are many, the scene is too
+  /// heavy for it.
+  long slow_ticks = 0;
   long unpaced_ticks = 0;     ///< went without the report of a device that has its own pace
   Percentiles lateness;       ///< start of a tick behind the first due time since the last one
   Percentiles cost;           ///< of the tick itself, device included
+  Percentiles processor;      ///< of the tick likewise, in the time its thread had a processor
   SceneCosts part_costs;      ///< of its parts; empty unless LoopOptions::measures_costs
   bool realtime = false;      ///< granted
   std::string realtime_note;  ///< why not, in words

@@ -9,6 +9,7 @@
 
 #include "calls.h"
 #include "core/loop/puppet.h"
+#include "palpate/sim/base/private/realtime.h"
 #include "palpate/sim/loop/loop.h"
 #include "skip.h"
 
@@ -104,7 +105,26 @@ TEST_CASE("ticks that a slow device makes late are skipped, counted and told") {
   CHECK(told);
   CHECK(puppet.times[21] >= puppet.times[20] + 6.9e-3);
   CHECK(report.cost.max >= 6.5e-3);
+  CHECK(report.processor.max < report.cost.max);  // who sleeps has no processor
   CHECK(report.lateness.max >= 5.5e-3);  // of tick 21 behind the time at which it was due first
+}
+
+TEST_CASE("a tick that works for longer than its period is told from one that was kept waiting") {
+  const Scene scene = press_scene();
+  Puppet puppet = make_puppet();
+  puppet.on_read = [](int count, HapticSample&) {
+    const std::int64_t begun = read_thread_clock();
+    while (count == 20 && read_thread_clock() - begun < 1'500'000) {
+    }
+  };
+  Loop loop(scene, puppet, {.duration = 0.1});
+
+  run(loop);
+
+  const LoopReport report = loop.report();
+  CHECK(report.slow_ticks >= 1);
+  CHECK(report.missed_ticks >= 1);
+  CHECK(report.processor.max >= 1.5e-3);
 }
 
 TEST_CASE("costs and latenesses are measured on every tick and come out in order") {

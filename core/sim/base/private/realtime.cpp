@@ -57,6 +57,12 @@ std::string explain_no_locking(int error) {
   return text;
 }
 
+std::int64_t read(clockid_t clock) noexcept {
+  timespec now;
+  clock_gettime(clock, &now);
+  return now.tv_sec * std::int64_t{1000000000} + now.tv_nsec;
+}
+
 void spin_once() noexcept {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_ia32_pause();
@@ -95,11 +101,9 @@ void leave_realtime(const Realtime& granted) {
   if (granted.locked && locking_threads.fetch_sub(1) == 1) munlockall();
 }
 
-std::int64_t read_clock() noexcept {
-  timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * std::int64_t{1000000000} + now.tv_nsec;
-}
+std::int64_t read_clock() noexcept { return read(CLOCK_MONOTONIC); }
+
+std::int64_t read_thread_clock() noexcept { return read(CLOCK_THREAD_CPUTIME_ID); }
 
 void wait_until(std::int64_t due, std::int64_t spin) noexcept {
   const std::int64_t wake = due - spin;

@@ -23,6 +23,9 @@ void leave_realtime(const Realtime& granted);
 /// [ns] of the clock that never jumps.
 std::int64_t read_clock() noexcept;
 
+/// [ns] of a processor that the calling thread has had.
+std::int64_t read_thread_clock() noexcept;
+
 /// Sleeps until `spin` [ns] before `due` [ns of read_clock()] and spins the rest: the kernel wakes
 /// a sleeper some 40 us late, a spinning thread is there within one.
 void wait_until(std::int64_t due, std::int64_t spin) noexcept;

@@ -90,9 +90,9 @@ struct Loop::Impl {
   // between the threads
   Latest<PendingSnapshot> snapshots;
   SnapshotReader reader;  // the reader's own
-  DurationHistogram latenesses, costs;
+  DurationHistogram latenesses, costs, processor;
   std::unique_ptr<CostHistograms> part_costs;  // null unless they are measured
-  std::atomic<long> ticks{0}, missed{0}, safeguarded{0};
+  std::atomic<long> ticks{0}, missed{0}, slow{0}, safeguarded{0};
   Alarm alarm;  // constant once has_alarm is set
   int alarm_body = -1;
   std::atomic<bool> has_alarm{false};
