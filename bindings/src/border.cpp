@@ -107,6 +107,9 @@ void require_fit(const TissueModel& model, const State& state) {
 
 void require_fit(const TissueModel& model, const Guard& guard) {
   require_count("guard", guard.last_position.size(), model.rest_position.size());
+  if (guard.torn_links.empty()) return;
+  require_count("guard.torn_links", guard.torn_links.size(),
+                model.springs.ends.size() + model.bonds.ends.size());
 }
 
 void require_fit(const AabbTree& tree, std::span<const Vec3> x) {

@@ -212,3 +212,13 @@ def test_the_alarm_is_a_value_that_is_false_until_something_is_wrong():
     assert alarm
     assert alarm.kind is palpate.AlarmKind.not_finite
     assert alarm.index == 2
+
+
+def test_a_guard_that_knows_of_other_links_is_refused():
+    model = chain(3)
+    state = palpate.State(model)
+    guard = palpate.Guard(model, (0, 0, 0), state)
+    guard.torn_links = [0] * (len(model.springs.ends) + len(model.bonds.ends) - 1)
+
+    with pytest.raises(ValueError, match=r"guard\.torn_links"):
+        palpate.check(model, (0, 0, 0), state, 0.0, guard)

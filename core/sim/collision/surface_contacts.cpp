@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "palpate/sim/collision/private/held_kernels.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/mesh/topology.h"
 #include "palpate/sim/tree/private/box_distance.h"
@@ -154,6 +155,7 @@ SurfaceContacts::SurfaceContacts(std::vector<double> areas, const SurfaceMesh& t
   resistance.assign(count, kNotKnown);
   held.assign(count, 0);
   lapsed.assign(count, 0);
+  held_kernels::best();  // chosen here, as choosing allocates
 }
 
 /// A vertex is looked at once in a round, and its list is found again where half of its margin is

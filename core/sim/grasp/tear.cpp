@@ -166,6 +166,8 @@ void Tear::write_damage(std::span<float> damage) const noexcept {
 }
 
 void Tear::begin_watch(long tick) noexcept {
+  // a tick that is begun again has watched nothing yet
+  for (const int part : watched_) seen_at_[at(part)] = std::min(seen_at_[at(part)], tick - 1);
   tick_ = tick;
   watched_.clear();
   for (const int part : torn_) {

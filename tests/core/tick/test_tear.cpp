@@ -116,6 +116,25 @@ double find_largest(const Vec3Array& f) {
 
 }  // namespace
 
+TEST_CASE("a tick that is begun again watches again") {
+  const SoftBody body = make_surface(false);
+  const int tip = find_tip(body.tissue);
+  Tear tear(body.tissue, body.tear_stretch);
+  const auto watch = [&](long tick) {
+    tear.begin_watch(tick);
+    tear.watch(tip);
+    int particles = 0;
+    tear.for_each_particle([&](int) { ++particles; });
+    return particles;
+  };
+
+  const int first = watch(7);
+
+  CHECK(first > 0);
+  CHECK(watch(7) == first);
+  CHECK(watch(8) == first);
+}
+
 TEST_CASE("a spring tears after five ticks beyond its stretch, and fades over fifty") {
   const SoftBody body = make_surface(false);
   const TissueModel& tissue = body.tissue;
