@@ -116,11 +116,15 @@ def test_a_record_with_pauses_replays_bit_by_bit_and_tells_of_them(tmp_path):
 
 def test_a_signal_ends_a_replay():
     scene, rows = organ_scene(1), palpate.Record()
-    still = np.zeros(20_000, rows.hand.dtype), np.zeros(20_000, rows.felt.dtype)
+    still = np.zeros(50_000, rows.hand.dtype), np.zeros(50_000, rows.felt.dtype)
     record = palpate.Record(hand=still[0], felt=still[1])
-    start = time.process_time()
-    palpate.replay(scene, record)
-    whole = time.process_time() - start
+
+    def measure() -> float:
+        start = time.process_time()
+        palpate.replay(scene, record)
+        return time.process_time() - start
+
+    whole = min(measure() for _ in range(3))  # a machine that stands still counts as work
 
     def end(number: int, frame: object) -> None:
         raise KeyboardInterrupt
@@ -128,10 +132,11 @@ def test_a_signal_ends_a_replay():
     before = signal.signal(signal.SIGPROF, end)
     try:
         # after a tenth of the processor time
+        start = time.process_time()
         signal.setitimer(signal.ITIMER_PROF, 0.1 * whole)
         with pytest.raises(KeyboardInterrupt):
             palpate.replay(scene, record)
-        spent = time.process_time() - start - whole
+        spent = time.process_time() - start
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, before)

@@ -60,9 +60,11 @@ TEST_CASE("a tissue that is in time is felt to the bit as in the thread that ask
   std::vector<Vec3> expected;
   for (int t = 0; t < kTicks; ++t) expected.push_back(asked.tick(hand.read(1e-3 * t)).force);
 
-  const Slow slow = feel(scene, 1000);
+  Slow slow = feel(scene, 1000);
+  for (int again = 0; again < 5 && slow.late > 0; ++again) slow = feel(scene, 1000);
 
-  SKIP_UNLESS(slow.late == 0, "the machine was too busy for a tissue of 162 vertices at 50 Hz");
+  SKIP_UNLESS(slow.late == 0,
+              "cannot be had here: a machine with the time for 162 vertices at 50 Hz");
   CHECK(slow.forces == expected);
   REQUIRE(slow.exchanges.size() == 24);
   for (std::size_t i = 0; i < slow.exchanges.size(); ++i) {
