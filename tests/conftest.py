@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from data_folder import find_data
+from pytestqt.qtbot import QtBot
 from tiers import name_test, read_list
 
 CHECKOUT = Path(__file__).resolve().parents[1]
@@ -29,6 +30,11 @@ if shutil.which("ccache"):
     os.environ.setdefault("CMAKE_CXX_COMPILER_LAUNCHER", "ccache")
     os.environ.setdefault("CCACHE_SLOPPINESS", "pch_defines,time_macros")
 
+
+# [ms] what a test of a window waits for where it says nothing else: pytest-qt's own 5 s are too few
+# for a processor that others share
+for wait in (QtBot.waitUntil, QtBot.waitSignal, QtBot.waitSignals, QtBot.waitExposed):
+    wait.__kwdefaults__["timeout"] = 60_000
 
 # of later tiers, the latest first: the marks for which -m must ask, one of them, so that they run
 TIERS = {"verify": ("verify",), "landing": ("landing", "window")}

@@ -135,7 +135,7 @@ def test_escape_drops_the_stroke_and_then_leaves_the_tool(context, qtbot):
     qtbot.keyClick(context.view, Qt.Key.Key_Escape)
     assert context.session.organ is before and context.session.history.count() == 0
 
-    with qtbot.waitSignal(tool.left, timeout=1000):
+    with qtbot.waitSignal(tool.left):
         qtbot.keyClick(context.view, Qt.Key.Key_Escape)
 
 
