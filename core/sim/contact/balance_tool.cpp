@@ -251,7 +251,8 @@ Vec3 write_pushes(const Surroundings& around, const Vec3& pull, ToolState& state
 /// the pushes instead would belong to no stored energy, and would jump whenever a triangle comes
 /// into contact. ToolState::residual is that difference.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                  std::span<const TouchedSurface> surfaces, ToolState& state) noexcept {
+                  std::span<const TouchedSurface> surfaces, ToolState& state,
+                  const FeltLimit& felt_limit) noexcept {
   const Surroundings around{{tool, Axes(tool, state.orientation, state.jaw_angle)},
                             surfaces,
                             {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
@@ -267,6 +268,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
     state.placed = true;
     state.patch_count = 0;
   }
+  const Vec3 before = state.position;
   // nothing anywhere near the path: no need to go it in steps
   if (!near) {
     state.position = hand_position;
@@ -277,6 +279,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   const Vec3 stuck = state.position + carry;
   state.position += ride(around, state);
   if (state.patch_count > 0) state.position += carry;
+  const Vec3 start = near ? state.position : before;
   const bool soft = has_near_field(around);
   const double shortest = soft ? kShortestStep : 0.0;
   for (int i = 0; i < kNewtonStepsNear; ++i) {
@@ -288,6 +291,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
     if (next != hand_position && (next - state.position).norm() < shortest) break;
     state.position = next;
   }
+  state.position = hold_back(coupling, hand_position, felt_limit, start, state.position);
   const Vec3 felt =
       limit(coupling.stiffness * (state.position - hand_position), coupling.force_max);
   const Vec3 touch = write_pushes(around, -felt, state);
