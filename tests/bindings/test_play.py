@@ -82,11 +82,16 @@ def test_the_report_for_people_says_where_the_record_is_and_what_this_is_not(
 
 
 def test_of_missed_ticks_it_is_said_whether_the_scene_took_them():
-    assert say_missed({"missed_ticks": 0, "slow_ticks": 0}) == "0 missed"
-    waited = say_missed({"missed_ticks": 12, "slow_ticks": 0})
-    assert waited == "12 missed, as the loop was kept waiting: no tick took that long by itself"
-    heavy = say_missed({"missed_ticks": 12, "slow_ticks": 9})
-    assert heavy == "12 missed, and 9 took longer by themselves than a tick may"
+    report = {"missed_ticks": 12, "slow_ticks": 9, "processor_median_us": 950.0}
+
+    assert say_missed({**report, "missed_ticks": 0, "slow_ticks": 0}) == "0 missed"
+    assert say_missed({**report, "slow_ticks": 0}) == (
+        "12 missed, as the loop was kept waiting: no tick took that long by itself"
+    )
+    assert say_missed(report) == (
+        "12 missed, and 9 took longer by themselves than a tick may; the processor had 0.95 ms for "
+        "one in the median"
+    )
 
 
 def test_playing_headless_loads_no_qt(tmp_path):

@@ -195,6 +195,8 @@ def describe_costs(costs: palpate.LoopReport, scene: palpate.Scene) -> Report:
         "lateness_p99_us": 1e6 * costs.lateness.p99,
         "missed_ticks": costs.missed_ticks,
         "slow_ticks": costs.slow_ticks,
+        "processor_median_us": 1e6 * costs.processor.median,
+        "processor_p99_us": 1e6 * costs.processor.p99,
         "realtime": "real-time priority" if costs.realtime else costs.realtime_note,
         "passivity_interventions": costs.interventions,
         "damped_ticks": costs.damped_ticks,
@@ -222,7 +224,11 @@ def say_missed(report: Report) -> str:
         return "0 missed"
     if not slow:
         return f"{missed} missed, as the loop was kept waiting: no tick took that long by itself"
-    return f"{missed} missed, and {slow} took longer by themselves than a tick may"
+    median = 1e-3 * report["processor_median_us"]
+    return (
+        f"{missed} missed, and {slow} took longer by themselves than a tick may; the processor had "
+        f"{median:.2f} ms for one in the median"
+    )
 
 
 def say_link(report: Report) -> list[str]:
