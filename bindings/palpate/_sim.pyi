@@ -6392,7 +6392,7 @@ class LoopReport:
     @property
     def slow_ticks(self) -> int:
         """That took longer than a period of the processor's own time. Where ticks are missed
-        and these are none, the machine was busy with something else.
+        and these are none, the loop was kept waiting.
         """
     @property
     def unpaced_ticks(self) -> int:
@@ -6405,7 +6405,7 @@ class LoopReport:
         """Of the tick itself, device included."""
     @property
     def processor(self) -> Percentiles:
-        """Of the tick likewise, in the time its thread had a processor."""
+        """Of the processor, for a tick and all that comes with it."""
     @property
     def part_costs(self) -> SceneCosts:
         """Of its parts; of no ticks unless LoopOptions.measures_costs."""

@@ -182,14 +182,14 @@ void bind_report(py::module_& m) {
                     "Skipped because an earlier tick was still at work.")
       .def_readonly("slow_ticks", &LoopReport::slow_ticks,
                     "That took longer than a period of the processor's own time. Where ticks are "
-                    "missed and these are none, the machine was busy with something else.")
+                    "missed and these are none, the loop was kept waiting.")
       .def_readonly("unpaced_ticks", &LoopReport::unpaced_ticks,
                     "Went without the report of a device that has its own pace.")
       .def_readonly("lateness", &LoopReport::lateness,
                     "Start of a tick behind the first due time since the last one.")
       .def_readonly("cost", &LoopReport::cost, "Of the tick itself, device included.")
       .def_readonly("processor", &LoopReport::processor,
-                    "Of the tick likewise, in the time its thread had a processor.")
+                    "Of the processor, for a tick and all that comes with it.")
       .def_readonly("part_costs", &LoopReport::part_costs,
                     "Of its parts; of no ticks unless LoopOptions.measures_costs.")
       .def_readonly("realtime", &LoopReport::realtime, "Granted.")

@@ -113,8 +113,8 @@ Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3
   return part * step;
 }
 
-/// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing is where the hand
-/// is, to the bit, so that it feels exactly 0 N. `stuck` [m] is where friction would keep it.
+/// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing goes to where the
+/// hand is, to the bit, so that it feels exactly 0 N. `stuck` [m] is where friction would keep it.
 Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, const Vec3& hand,
                       const Vec3& stuck, const Vec3& p) noexcept {
   for (const TouchedSurface& surface : around.surfaces) follow_side(around.shape, surface, p);
@@ -268,10 +268,9 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
     state.placed = true;
     state.patch_count = 0;
   }
-  const Vec3 before = state.position;
   // nothing anywhere near the path: no need to go it in steps
   if (!near) {
-    state.position = hand_position;
+    state.position = hold_back(coupling, hand_position, felt_limit, state.position, hand_position);
     state.patch_count = 0;
   }
   for (std::size_t b = 0; b < surfaces.size(); ++b) follow_grip(around, b, state.position);
@@ -279,7 +278,6 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   const Vec3 stuck = state.position + carry;
   state.position += ride(around, state);
   if (state.patch_count > 0) state.position += carry;
-  const Vec3 start = near ? state.position : before;
   const bool soft = has_near_field(around);
   const double shortest = soft ? kShortestStep : 0.0;
   for (int i = 0; i < kNewtonStepsNear; ++i) {
@@ -289,9 +287,9 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
     const Vec3 next = take_newton_step(around, coupling, hand_position, stuck, state.position);
     // contacts stay those of where it is
     if (next != hand_position && (next - state.position).norm() < shortest) break;
-    state.position = next;
+    // a part of a step is as far from any surface as the step is
+    state.position = hold_back(coupling, hand_position, felt_limit, state.position, next);
   }
-  state.position = hold_back(coupling, hand_position, felt_limit, start, state.position);
   const Vec3 felt =
       limit(coupling.stiffness * (state.position - hand_position), coupling.force_max);
   const Vec3 touch = write_pushes(around, -felt, state);

@@ -182,7 +182,6 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
     channels[i]->safe().write(commands[i]);
   }
   spent = read_clock() - begun;
-  const std::int64_t of_processor = read_thread_clock() - had;
 
   if (skipped > 0) tell(number, EventKind::missed_ticks, static_cast<std::int32_t>(skipped));
   notice_holds(number);
@@ -197,12 +196,13 @@ void Loop::Impl::run_tick(std::int64_t index, long skipped) noexcept {
   keep();
   latenesses.add(lateness);
   costs.add(spent);
-  processor.add(of_processor);
-  if (of_processor > pace.period()) slow.fetch_add(1, std::memory_order_relaxed);
   if (part_costs && !tissue && !world.alarm) part_costs->add(world.costs);
   ticks.store(number + 1, std::memory_order_relaxed);
   if (number % snapshot_ticks == 0) publish();
   serve_trees();
+  const std::int64_t of_processor = read_thread_clock() - had;
+  processor.add(of_processor);
+  if (of_processor > pace.period()) slow.fetch_add(1, std::memory_order_relaxed);
 }
 
 void Loop::Impl::judge_tick() noexcept {

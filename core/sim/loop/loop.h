@@ -114,14 +114,14 @@ struct LoopReport {
   long ticks = 0;
   long missed_ticks = 0;  ///< skipped because an earlier tick was still at work
   /// That took longer than a period of the processor's own time. Where ticks are missed and these
-  /// are none, the machine was busy with something else; where they are many, and `processor` is
-  /// near a period in the median, the scene is too heavy for it. A virtual machine that its host
-  /// keeps waiting may count that as its processor's time.
+  /// are none, the loop was kept waiting, by the machine or by a device; where they are many, and
+  /// `processor` is near a period in the median, the scene is too heavy. A virtual machine that its
+  /// host keeps waiting may count that as its processor's time.
   long slow_ticks = 0;
   long unpaced_ticks = 0;     ///< went without the report of a device that has its own pace
   Percentiles lateness;       ///< start of a tick behind the first due time since the last one
   Percentiles cost;           ///< of the tick itself, device included
-  Percentiles processor;      ///< of the tick likewise, in the time its thread had a processor
+  Percentiles processor;      ///< of the processor, for a tick and all that comes with it
   SceneCosts part_costs;      ///< of its parts; empty unless LoopOptions::measures_costs
   bool realtime = false;      ///< granted
   std::string realtime_note;  ///< why not, in words

@@ -107,7 +107,9 @@ Vec3 hold_back(const Coupling& coupling, const Vec3& hand, const FeltLimit& felt
   const Vec3 change = coupling.stiffness * (place - start);
   const Vec3 now = limit(coupling.stiffness * (place - hand), coupling.force_max);
   if (!((now - felt.before).squaredNorm() > felt.most * felt.most)) return place;
-  if (felt.falls && !(now.squaredNorm() < felt.before.squaredNorm())) return place;
+  // of a hand at its limit both are as large, but for rounding
+  constexpr double kSame = 1.0 - 1e-9;
+  if (felt.falls && !(now.squaredNorm() < kSame * felt.before.squaredNorm())) return place;
   const double a = change.squaredNorm(), b = from.dot(change);
   if (!(a > 0.0)) return place;
   const double root = b * b - a * (from.squaredNorm() - felt.most * felt.most);

@@ -163,7 +163,8 @@ void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t butt
     attach_tool(grip.surfaces, grip.instrument.hold_stiffness, state.tool);
   }
   state.attach_pressed = pressed;
-  if (state.tool.hold_count > 0) return;
+  // the hand of a slow tissue feels what its own model of it says
+  if (state.tool.hold_count > 0 || scene.exchange_rate > 0.0) return;
   limit_fall(grip.instrument, state, workspace(world).hands[instrument]);
 }
 
