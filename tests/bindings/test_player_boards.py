@@ -121,6 +121,27 @@ def test_no_text_of_any_board_is_cut_off(open_window, task, language, scale):
     assert cut == {}
 
 
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_the_start_says_what_two_graspers_can_do(open_window, tmp_path, language):
+    path = MESHES / "scenarios" / "stomach_two_graspers.json"
+    organ = scenario.read(MESHES / "published" / "stomach.palpate")
+    out = tmp_path / "stomach.palpate"
+    scenario.write(out, with_assessment(path, read_assessment(path), organ))
+    window = open_window(open_play(out))
+    window.view.setUpdatesEnabled(False)
+    window.use_language(language)
+    window.resize(*SIZES["200"])
+    window.show_board(window.over.start)
+    QApplication.processEvents()
+    window.over.place()
+
+    words = {label.text() for label in window.over.start.gestures.findChildren(QLabel)}
+    en = {"Right button", "close the jaws and pull", "A", "Shift + wheel", "Tab", "instrument 2"}
+    tr = {"Sağ düğme", "çeneleri kapat ve çek", "A", "Shift + tekerlek", "2. alet"}
+    assert words >= {"en": en, "tr": tr}[language]
+    assert find_cut(window.over.start) == []
+
+
 @pytest.mark.parametrize("size", [(1280, 800), (960, 540), (600, 400)])
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_the_line_of_keys_has_as_many_as_there_is_room_for_and_the_menu(

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -24,6 +25,7 @@ from palpate.player.sentences import (
     translate,
 )
 from palpate.translation import LANGUAGES
+from palpate.viewport.hint_line import PLAIN, Means
 
 
 class Board(Page):
@@ -100,12 +102,16 @@ class Choice(QWidget):
 class StartBoard(Board):
     """The task, how a hand moves, where records go, and the way in."""
 
-    def __init__(self, parent: QWidget, folder: Path, has_button: bool = False):
-        """`has_button`: the hand is on a stylus, whose button is listened to here."""
+    def __init__(
+        self, parent: QWidget, folder: Path, has_button: bool = False, means: Means = PLAIN
+    ):
+        """`has_button`: the hand is on a stylus, whose button is listened to here; `means`: what
+        a hand can do with the instrument that it begins with."""
         super().__init__(parent)
         self.task = self.add("body")
         self.rows.addSpacing(4)
-        self.gestures = Table(self, say_stylus if has_button else say_gestures)
+        say = say_stylus if has_button else say_gestures
+        self.gestures = Table(self, partial(say, means))
         self.rows.addWidget(self.gestures)
         self.rows.addSpacing(4)
         self.limits, self.before = self.add("body"), self.add("caption")

@@ -20,6 +20,7 @@ from palpate.player.people_boards import ConsentBoard, WhoBoard
 from palpate.player.sentences import say_keys, translate
 from palpate.runs.play import Play
 from palpate.viewport import View, navigation
+from palpate.viewport.pointer_hand import find_means
 
 EDGE = 20
 """[px] to the sides of the window."""
@@ -45,7 +46,9 @@ class Overlays(QObject):
         self.warning, self.alarm = Banner(view, "warning"), Banner(view, "alarm")
         self.pause, self.device = Banner(view, "warning"), Banner(view, "alarm")
         self.caption = Banner(view, "signal")
-        self.start = StartBoard(view, play.record_folder(), bool(find_port(play.arm)))
+        instruments = play.scenario.scene.instruments
+        means = find_means(instruments[0], 2 if len(instruments) > 1 else 0)
+        self.start = StartBoard(view, play.record_folder(), bool(find_port(play.arm)), means)
         self.menu, self.end = MenuBoard(view), EndBoard(view)
         self.who, self.consent = WhoBoard(view), ConsentBoard(view)
         self.check, self.debrief = CheckBoard(view), DebriefBoard(view)

@@ -12,6 +12,7 @@ from palpate.command.verb import Report
 from palpate.runs.alarms import advise_hand, say_alarm, say_safeguard
 from palpate.runs.coupling import FELT_WITHIN
 from palpate.runs.live import Frame
+from palpate.viewport.hint_line import PLAIN, Means, say_hands, say_jaws, say_taking, say_turns
 
 translate = QCoreApplication.translate
 
@@ -126,22 +127,25 @@ def say_held(safeguard: palpate.Safeguard) -> str:
     return f"{held} {advise_hand(palpate.AlarmKind.energy, translate)}" if held else ""
 
 
-def say_gestures() -> list[tuple[str, str]]:
-    """What a hand can do and how."""
+def say_gestures(means: Means = PLAIN) -> list[tuple[str, str]]:
+    """What a hand can do and how, with its first instrument."""
     return [
         (translate("Player", "Move"), translate("Player", "stroke along the surface")),
         (translate("Player", "Left button"), translate("Player", "press")),
         (translate("Player", "Wheel"), translate("Player", "deeper or higher")),
-        (translate("Player", "Right button"), translate("Player", "take hold and pull")),
+        (translate("Player", "Right button"), say_taking(means)),
+        *say_jaws(means),
+        *say_turns(means),
+        *say_hands(means),
         (translate("Player", "Beside the organ"), translate("Player", "turn the view")),
     ]
 
 
-def say_stylus() -> list[tuple[str, str]]:
+def say_stylus(means: Means = PLAIN) -> list[tuple[str, str]]:
     """What a hand can do with the stylus of a device, and with the mouse beside it."""
     return [
         (translate("Player", "Stylus"), translate("Player", "moves the tip")),
-        (translate("Player", "Its button"), translate("Player", "take hold and pull")),
+        (translate("Player", "Its button"), say_taking(means)),
         ("", translate("Player", "here and in the menu: as Enter")),
         (translate("Player", "Mouse"), translate("Player", "turn the view")),
     ]

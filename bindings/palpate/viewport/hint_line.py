@@ -40,17 +40,22 @@ PLAIN = Means()
 
 def say_hovering(means: Means = PLAIN) -> Pairs:
     """Buttons and what they do, while the tip is over the organ."""
-    closes = translate("Viewport", "close the jaws and pull")
-    takes = translate("Viewport", "take hold and pull")
     return [
         (translate("Viewport", "Left button"), translate("Viewport", "press and stroke")),
-        (translate("Viewport", "Right button"), closes if means.jaws else takes),
+        (translate("Viewport", "Right button"), say_taking(means)),
         (translate("Viewport", "Wheel"), translate("Viewport", "deeper or higher")),
         *say_jaws(means),
         *say_turns(means),
         *say_hands(means),
         (translate("Viewport", "Beside the organ"), translate("Viewport", "turn the view")),
     ]
+
+
+def say_taking(means: Means) -> str:
+    """How tissue is held: by jaws, or fastened to a ball by click and hold."""
+    if means.jaws:
+        return translate("Viewport", "close the jaws and pull")
+    return translate("Viewport", "click and hold to pull")
 
 
 def say_jaws(means: Means) -> Pairs:

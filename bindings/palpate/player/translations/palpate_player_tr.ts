@@ -356,10 +356,6 @@
         <translation>Sağ düğme</translation>
     </message>
     <message>
-        <source>take hold and pull</source>
-        <translation>tutar ve çeker</translation>
-    </message>
-    <message>
         <source>Beside the organ</source>
         <translation>Organın yanında</translation>
     </message>
@@ -647,8 +643,8 @@
         <translation>Sağ düğme</translation>
     </message>
     <message>
-        <source>take hold and pull</source>
-        <translation>tut ve çek</translation>
+        <source>click and hold to pull</source>
+        <translation>tıkla, basılı tut ve çek</translation>
     </message>
     <message>
         <source>Wheel</source>
