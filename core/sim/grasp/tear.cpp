@@ -90,6 +90,11 @@ LinkRow find_link(const TissueModel& tissue, int link) noexcept {
   return {tissue.bonds, at(link) - springs};
 }
 
+/// A guard that knows of no links, as one that was set from outside may, says of them what it says.
+void mark_torn(std::size_t link, Guard& guard) noexcept {
+  if (link < guard.torn_links.size()) guard.torn_links[link] = 1;
+}
+
 template <class Row>
 void scale(const std::array<Row, 3>& from, double by, std::array<Row, 3>& to) noexcept {
   for (std::size_t c = 0; c < 3; ++c) to[c] = by * from[c];
@@ -246,7 +251,7 @@ void Tear::add_triangle(const TissueModel& tissue, int row, Guard& guard) noexce
     links_.stiffness.push_back(0.0);
     links_.damping.push_back(0.0);
     const int bond = side_bond_[at(row)][c];
-    if (bond >= 0 && --sides_left_[at(bond)] == 0) guard.torn_links[springs + at(bond)] = 1;
+    if (bond >= 0 && --sides_left_[at(bond)] == 0) mark_torn(springs + at(bond), guard);
   }
 }
 
@@ -263,7 +268,7 @@ void Tear::tear(const TissueModel& tissue, int which, Guard& guard) noexcept {
     links_.rest_length.push_back(table.rest_length[row]);
     links_.stiffness.push_back(0.0);
     links_.damping.push_back(0.0);
-    guard.torn_links[at(part.link)] = 1;
+    mark_torn(at(part.link), guard);
   }
   for (const int row : part.triangles) {
     if (row >= 0) add_triangle(tissue, row, guard);

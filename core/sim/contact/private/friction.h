@@ -5,8 +5,8 @@
 
 namespace palpate {
 
-// Coulomb's friction between tool and tissue: one cone for all contacts together
-// [contact: friction].
+// Coulomb's friction between tool and tissue, one cone for all contacts together
+// [contact: friction]; and what the hand's spring has a tool do [contact: balance].
 
 /// What a tool that is not in balance yet is under, at its position p.
 struct Unbalanced {
