@@ -22,8 +22,6 @@ class Felt:
     world: palpate.World
     force: list[float] = field(default_factory=list)
     """[N]"""
-    hand: list[np.ndarray] = field(default_factory=list)
-    """[m] where it was."""
     held: list[bool] = field(default_factory=list)
     """The tool is fastened to the tissue."""
 
@@ -59,9 +57,7 @@ def run_hand(scene: palpate.Scene, frames: list[palpate.KeyFrame]) -> Felt:
         1 / scene.rate,
     )
     for tick in range(round(frames[-1].time * scene.rate)):
-        sample = device.read(tick * dt)
-        command = palpate.tick(scene, sample, dt, felt.world)
-        felt.hand.append(np.array(sample.position))
+        command = palpate.tick(scene, device.read(tick * dt), dt, felt.world)
         felt.force.append(float(np.linalg.norm(command.force)))
         felt.held.append(felt.world.instruments[0].tool.hold_count > 0)
         if felt.alarm != palpate.AlarmKind.none:
@@ -101,27 +97,4 @@ def pull(
     go(height, hold, attached=True)
     go(height, 1e-3)
     go(height, 0.5)
-    return run_hand(scene, frames)
-
-
-def drag(scene: palpate.Scene, place: Place, depth: float, way: float, pace: float) -> Felt:
-    """Goes `depth` [m] deep, `way` [m] along the surface at `pace` [m/s], and out."""
-    n = np.asarray(place.outward)
-    along = np.cross(n, [0.3, 0.5, 0.8])
-    along /= np.linalg.norm(along)
-    radius = scene.instruments[0].tool.radius
-    frames: list[palpate.KeyFrame] = []
-
-    def go(above: float, gone: float, duration: float) -> None:
-        frame = palpate.KeyFrame()
-        frame.time = frames[-1].time + duration if frames else 0.0
-        frame.position = place.point + (radius + above) * n + gone * along
-        frames.append(frame)
-
-    go(CLEARANCE, 0.0, 0.0)
-    go(-depth, 0.0, (CLEARANCE + depth) / 0.03)
-    go(-depth, 0.0, 0.1)
-    go(-depth, way, way / pace)
-    go(-depth, way, 0.1)
-    go(CLEARANCE, way, (CLEARANCE + depth) / pace)
     return run_hand(scene, frames)

@@ -113,8 +113,8 @@ Vec3 shorten(const Surroundings& around, const Vec3& p, const Touch& touch, Vec3
   return part * step;
 }
 
-/// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing goes to where the
-/// hand is, to the bit, so that it feels exactly 0 N. `stuck` [m] is where friction would keep it.
+/// One Newton step of R(p) = pull of the hand + touch = 0. What touches nothing is where the hand
+/// is, to the bit, so that it feels exactly 0 N. `stuck` [m] is where friction would keep it.
 Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, const Vec3& hand,
                       const Vec3& stuck, const Vec3& p) noexcept {
   for (const TouchedSurface& surface : around.surfaces) follow_side(around.shape, surface, p);
@@ -251,8 +251,7 @@ Vec3 write_pushes(const Surroundings& around, const Vec3& pull, ToolState& state
 /// the pushes instead would belong to no stored energy, and would jump whenever a triangle comes
 /// into contact. ToolState::residual is that difference.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                  std::span<const TouchedSurface> surfaces, ToolState& state,
-                  const FeltLimit& felt_limit) noexcept {
+                  std::span<const TouchedSurface> surfaces, ToolState& state) noexcept {
   const Surroundings around{{tool, Axes(tool, state.orientation, state.jaw_angle)},
                             surfaces,
                             {state.holds.data(), static_cast<std::size_t>(state.hold_count)}};
@@ -270,7 +269,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   }
   // nothing anywhere near the path: no need to go it in steps
   if (!near) {
-    state.position = hold_back(coupling, hand_position, felt_limit, state.position, hand_position);
+    state.position = hand_position;
     state.patch_count = 0;
   }
   for (std::size_t b = 0; b < surfaces.size(); ++b) follow_grip(around, b, state.position);
@@ -287,8 +286,7 @@ Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
     const Vec3 next = take_newton_step(around, coupling, hand_position, stuck, state.position);
     // contacts stay those of where it is
     if (next != hand_position && (next - state.position).norm() < shortest) break;
-    // a part of a step is as far from any surface as the step is
-    state.position = hold_back(coupling, hand_position, felt_limit, state.position, next);
+    state.position = next;
   }
   const Vec3 felt =
       limit(coupling.stiffness * (state.position - hand_position), coupling.force_max);

@@ -211,6 +211,29 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
   }
 }
 
+/// While jaws let go what is felt changes by no more than it may, and of jaws that are closed it
+/// falls by no more: the tool goes that part of its way, and what this leaves unbalanced is lost as
+/// of any step that is cut short (balance_tool.cpp). Of |F_0 + s dF| <= c the largest s, with F_0
+/// what is felt at the start less what was felt before; where there is none, the s that comes
+/// nearest. A hand at its limit feels no more than that, and a tool that has not moved has no way
+/// to go a part of.
+void hold_back(const JawSurroundings& around, const ToolState& state, double most_fall,
+               const Vec3& start, JawPlace& place) noexcept {
+  const double stiffness = around.coupling.stiffness;
+  const bool changes = state.felt_change > 0.0;
+  const double most = changes ? state.felt_change : most_fall;
+  const Vec3 from = stiffness * (start - around.hand) - state.felt_before;
+  const Vec3 change = stiffness * (place.position - start);
+  const Vec3 felt = limit(stiffness * (place.position - around.hand), around.coupling.force_max);
+  if (!((felt - state.felt_before).squaredNorm() > most * most)) return;
+  if (!changes && !(felt.squaredNorm() < state.felt_before.squaredNorm())) return;
+  const double a = change.squaredNorm(), b = from.dot(change);
+  if (!(a > 0.0)) return;
+  const double root = b * b - a * (from.squaredNorm() - most * most);
+  const double part = (std::sqrt(std::max(0.0, root)) - b) / a;
+  place.position = start + std::clamp(part, 0.0, 1.0) * (place.position - start);
+}
+
 /// Writes what the jaws do to the surfaces; returns the sum of forces on the tool [N].
 Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolState& state) noexcept {
   const JawTouch touch = compute_touch(around, place);
@@ -312,11 +335,9 @@ Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   bool soft = false;
   for (const TouchedSurface& surface : surfaces[0]) soft = soft || surface.near;
   settle(around, anchors, soft, place);
-  // while jaws let go it changes by no more than it may, of closed ones it falls by no more
-  const bool changes = state.felt_change > 0.0;
-  place.position = hold_back(coupling, hand_position,
-                             {state.felt_before, changes ? state.felt_change : most_fall, !changes},
-                             before, place.position);
+  if (state.felt_change > 0.0 || most_fall > 0.0) {
+    hold_back(around, state, most_fall, before, place);
+  }
   state.position = place.position;
   state.jaw_angle = place.jaws.angle();
   const Vec3 sum = write_pushes(around, place, state);

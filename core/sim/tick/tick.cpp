@@ -98,7 +98,6 @@ void read_hand(const Scene& scene, const HapticSample& sample, double dt, std::s
   motion.hand = follow_hand(sample.position, dt, state);
   motion.travel = was_placed ? (motion.hand - state.hand).norm() : 0.0;
   motion.felt.setZero();
-  motion.most_fall = 0.0;
   choose_coupling(instrument, motion.travel, dt, state);
   limit_hand(scene, i, dt, world);
   Stopwatch watch(world.measures_costs);
@@ -159,8 +158,7 @@ void balance_instruments(const Scene& scene, double dt, World& world) noexcept {
         its.tool.jaws
             ? balance_jaws(its.tool, coupling, motion.hand, list_jaw_surfaces(scene, i, world), dt,
                            tool, motion.most_fall)
-            : balance_tool(its.tool, coupling, motion.hand, list_surfaces(scene, i, world), tool,
-                           {world.instruments[i].last_force, motion.most_fall, true});
+            : balance_tool(its.tool, coupling, motion.hand, list_surfaces(scene, i, world), tool);
     if (watch.on()) note_balance(watch.lap(), i, world);
   }
 }

@@ -7,12 +7,10 @@
 #include "core/tree/soups.h"
 #include "palpate/sim/contact/contact_law.h"
 #include "palpate/sim/contact/private/broad_phase.h"
-#include "palpate/sim/contact/private/touched_surface.h"
 #include "palpate/sim/tree/queries.h"
 #include "tool_bench.h"
 
 using namespace palpate;
-using doctest::Approx;
 
 namespace {
 
@@ -175,44 +173,6 @@ TEST_CASE("a weak hand that has lost the surface finds it again without a blow")
       CHECK(bench.state.residual.norm() < 0.05 * force);
     }
   }
-}
-
-TEST_CASE("what is felt of a tip that the tissue leaves falls by what it may, and rises by any") {
-  Bench bench(make_ball());
-  bench.coupling = {.stiffness = 1000.0, .force_max = 5.0};
-  bench.move_hand({0, 0, 0.030});
-  const Vec3 hand(0.0, 0.0, 0.0245);
-  const Vec3 before = bench.move_hand(hand, 300);
-  REQUIRE(before.norm() > 1.0);
-  const ToolState rest = bench.state;
-  const auto go_on = [&](double most, const Vec3& moved, bool near) {
-    Vec3Array x = bench.mesh.vertices;
-    for (Vec3& each : x) each += moved;
-    const TouchedSurface surface{&bench.candidates, bench.mesh.triangles, x, &bench.load};
-    bench.candidates.count = near ? bench.candidates.count : 0;
-    return balance_tool(bench.tool, bench.coupling, hand, {&surface, 1}, bench.state,
-                        {before, most, true});
-  };
-
-  // it has gone by 3 mm, or altogether
-  for (const bool near : {true, false}) {
-    CAPTURE(near);
-    for (const double most : {0.5, 0.01}) {
-      bench.move_hand(hand);
-      bench.state = rest;
-      const Vec3 felt = go_on(most, {0.0, 0.0, -3e-3}, near);
-      CHECK((felt - before).norm() == Approx(most));
-      CHECK(felt.norm() == Approx(before.norm() - most));
-      // of what was felt in the tick before, however many substeps it has
-      CHECK((go_on(most, {0.0, 0.0, -3e-3}, near) - felt).norm() < 1e-9);
-      CHECK((bench.force_on_particles() + felt + bench.state.residual).norm() < 1e-12);
-    }
-  }
-  bench.move_hand(hand);
-  bench.state = rest;
-  CHECK(go_on(0.01, {0.0, 0.0, 1e-3}, true).norm() > before.norm() + 0.1);
-  bench.state = rest;
-  CHECK(go_on(0.0, {0.0, 0.0, -3e-3}, false) == Vec3::Zero());
 }
 
 TEST_CASE("no flick of the hand takes the tool through a surface, however far it goes") {

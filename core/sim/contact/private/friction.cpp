@@ -3,9 +3,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
-
-#include "palpate/sim/base/private/limit.h"
 
 namespace palpate {
 namespace {
@@ -98,23 +95,6 @@ Vec3 add_friction(std::span<const TouchedSurface> surfaces, const Vec3& applied,
   }
   state.patch_position = find_patch_position(surfaces, state);
   return state.friction;
-}
-
-Vec3 hold_back(const Coupling& coupling, const Vec3& hand, const FeltLimit& felt, const Vec3& start,
-               const Vec3& place) noexcept {
-  if (!(felt.most > 0.0)) return place;
-  const Vec3 from = coupling.stiffness * (start - hand) - felt.before;
-  const Vec3 change = coupling.stiffness * (place - start);
-  const Vec3 now = limit(coupling.stiffness * (place - hand), coupling.force_max);
-  if (!((now - felt.before).squaredNorm() > felt.most * felt.most)) return place;
-  // of a hand at its limit both are as large, but for rounding
-  constexpr double kSame = 1.0 - 1e-9;
-  if (felt.falls && !(now.squaredNorm() < kSame * felt.before.squaredNorm())) return place;
-  const double a = change.squaredNorm(), b = from.dot(change);
-  if (!(a > 0.0)) return place;
-  const double root = b * b - a * (from.squaredNorm() - felt.most * felt.most);
-  const double part = (std::sqrt(std::max(0.0, root)) - b) / a;
-  return start + std::clamp(part, 0.0, 1.0) * (place - start);
 }
 
 }  // namespace palpate

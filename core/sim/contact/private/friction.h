@@ -5,8 +5,8 @@
 
 namespace palpate {
 
-// Coulomb's friction between tool and tissue, one cone for all contacts together
-// [contact: friction]; and what the hand's spring has a tool do [contact: balance].
+// Coulomb's friction between tool and tissue: one cone for all contacts together
+// [contact: friction].
 
 /// What a tool that is not in balance yet is under, at its position p.
 struct Unbalanced {
@@ -57,14 +57,5 @@ inline bool comes_within_limit(const Coupling& coupling, const Vec3& to_hand,
                                const Vec3& step) noexcept {
   return step.allFinite() && !is_at_limit(coupling, to_hand - step);
 }
-
-/// [m] Where a tool is that would go from `start` to `place` in a substep, so that what `hand`
-/// feels changes by no more than it may: it goes that part of its way, and what this leaves
-/// unbalanced is lost as of any step that is cut short (balance_tool.cpp). Of |F_0 + s dF| <= c the
-/// largest s, with F_0 what is felt at the start less what was felt before; where there is none,
-/// the s that comes nearest. A hand at its limit feels no more than that, and a tool that has not
-/// moved has no way to go a part of.
-Vec3 hold_back(const Coupling& coupling, const Vec3& hand, const FeltLimit& felt, const Vec3& start,
-               const Vec3& place) noexcept;
 
 }  // namespace palpate

@@ -24,17 +24,9 @@ struct TouchedSurface {
   bool springs = false;                              ///< of a wall that has nothing else
 };
 
-/// What a hand is to feel of a tick.
-struct FeltLimit {
-  Vec3 before = Vec3::Zero();  ///< [N] what it felt in the tick before
-  double most = 0.0;           ///< [N] by which that may change; 0: by any
-  bool falls = false;          ///< that it falls by so much alone; it may rise by any
-};
-
 /// The pushes of all surfaces cancel the hand's spring, and each gets its own into its load.
 Vec3 balance_tool(const Tool& tool, const Coupling& coupling, const Vec3& hand_position,
-                  std::span<const TouchedSurface> surfaces, ToolState& state,
-                  const FeltLimit& felt_limit = {}) noexcept;
+                  std::span<const TouchedSurface> surfaces, ToolState& state) noexcept;
 
 /// Fastens the tool to what it touches of all surfaces, whose loads have its contacts.
 bool attach_tool(std::span<const TouchedSurface> surfaces, double stiffness,

@@ -57,8 +57,7 @@ void take_up(double travel, double felt, double dt, DeviceCoupling& device) noex
   device.energy = std::min(kMostEnergy, device.energy + kGivenShare * spare * travel * travel / dt);
 }
 
-/// What is not in touch is told to be soft at once, where no force is felt that could jump: some
-/// ticks later after a tip has slipped off.
+/// What is not in touch is told to be soft at once: no force is felt that could jump.
 void begin_touch(const Instrument& instrument, InstrumentState& state) noexcept {
   DeviceCoupling& device = state.device;
   const double passive = device.passive_stiffness;

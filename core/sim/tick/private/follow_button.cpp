@@ -42,10 +42,6 @@ struct Holding {
   }
 };
 
-/// [-] Of what is felt: by how much it may fall from tick to tick beside what the hand's own way
-/// changes, whatever slips out of closed jaws or from under a tip, and [N] by how much in any case.
-constexpr double kMostFall = 0.15, kLeastFall = 0.1;
-
 int count_ticks(double time, double dt) noexcept {
   return std::max(1, static_cast<int>(std::lround(time / dt)));
 }
@@ -116,16 +112,6 @@ void fade_holds(double dt, const Holding& grip) noexcept {
   if (--grip.state.release_ticks == 0) release_tool(grip.state.tool);
 }
 
-/// [N] What tissue that slips away leaves to the hand goes within some ticks, for an instrument has
-/// a mass that it must move: without one it would be at the hand at once. Where the hand is
-/// limited, the tool follows what that asks for.
-void limit_fall(const Instrument& instrument, const InstrumentState& state,
-                HandMotion& motion) noexcept {
-  if (motion.bearable < instrument.coupling.force_max) return;
-  const double moved = find_coupling(instrument, state).stiffness * motion.travel;
-  motion.most_fall = moved + std::max(kMostFall * state.last_force.norm(), kLeastFall);
-}
-
 }  // namespace
 
 bool is_near_alarm(const SoftBody& body, const SoftState& state) noexcept {
@@ -163,9 +149,6 @@ void follow_button(const Scene& scene, std::size_t instrument, std::uint8_t butt
     attach_tool(grip.surfaces, grip.instrument.hold_stiffness, state.tool);
   }
   state.attach_pressed = pressed;
-  // the hand of a slow tissue feels what its own model of it says
-  if (state.tool.hold_count > 0 || scene.exchange_rate > 0.0) return;
-  limit_fall(grip.instrument, state, workspace(world).hands[instrument]);
 }
 
 namespace {
@@ -185,6 +168,10 @@ constexpr double kMostChange = 1.0 / 15.0;
 
 /// [N] By which it may change in any case while jaws open in a dent: less in a tick no hand feels.
 constexpr double kOpeningChange = 0.01;
+
+/// [-] Of what is felt of closed jaws: by how much it may fall from tick to tick beside what the
+/// hand's own way changes, whatever slips out of them, and [N] by how much in any case.
+constexpr double kMostFall = 0.15, kLeastFall = 0.1;
 
 /// Of the closing force: what is left of it after a tick in which the tissue could bear no more,
 /// and at which jaws open instead.
@@ -291,6 +278,16 @@ void follow_change(double goal, InstrumentState& state) noexcept {
   tool.felt_before = state.last_force;
 }
 
+/// [N] What tissue that slips out of closed jaws leaves to the hand goes within some ticks, for an
+/// instrument has a mass that it must move: without one it would be at the hand at once. Where the
+/// hand is limited, the tool follows what that asks for.
+void limit_fall(const Instrument& instrument, InstrumentState& state, HandMotion& motion) noexcept {
+  if (motion.bearable < instrument.coupling.force_max) return;
+  const double moved = find_coupling(instrument, state).stiffness * motion.travel;
+  state.tool.felt_before = state.last_force;
+  motion.most_fall = moved + std::max(kMostFall * state.last_force.norm(), kLeastFall);
+}
+
 /// Jaws that carry next to nothing begin to open at once.
 void begin_opening(InstrumentState& state) noexcept {
   if (state.tool.felt_change > 0.0) return;
@@ -375,7 +372,6 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
     jaws.felt_change = 0.0;
     state.release_ticks = 0;
     if (kept == 1.0) limit_fall(scene.instruments[instrument], state, motion);
-    if (motion.most_fall > 0.0) jaws.felt_before = state.last_force;
   }
   turn_toward(goal, dt, jaws);
 }

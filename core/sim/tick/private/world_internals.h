@@ -217,7 +217,7 @@ struct HandMotion {
   double travel = 0.0;       ///< [m] since the last tick; 0 where it has just appeared (read_hands)
   double stored_energy = 0.0;  ///< [J] no less than its springs hold (read_hands)
   Vec3 felt = Vec3::Zero();    ///< [N] sum over substeps (balance_instruments)
-  /// [N] by no more does what is felt fall in this tick; 0: by any (follow_button, follow_jaws)
+  /// [N] by no more does what is felt of closed jaws fall in this tick; 0: by any (follow_jaws)
   double most_fall = 0.0;
   /// [N] that its spring pulls with at most, where tissue bears no more; from tick to tick
   /// (limit_hand)
