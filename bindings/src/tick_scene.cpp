@@ -188,11 +188,13 @@ void bind_instrument(py::module_& m) {
   py::class_<Instrument> instrument(m, "Instrument",
                                     "A tool, and how the hand that moves it is coupled to it.");
   instrument.def(py::init([](const Tool& tool, const Coupling& coupling, double hold_stiffness,
-                             const std::optional<Vec3>& trocar) {
-                   return Instrument{tool, coupling, hold_stiffness, trocar};
+                             const std::optional<Vec3>& trocar,
+                             const std::vector<double>& pair_friction) {
+                   return Instrument{tool, coupling, hold_stiffness, trocar, pair_friction};
                  }),
                  py::kw_only(), "tool"_a = usual.tool, "coupling"_a = usual.coupling,
-                 "hold_stiffness"_a = usual.hold_stiffness, "trocar"_a = py::none());
+                 "hold_stiffness"_a = usual.hold_stiffness, "trocar"_a = py::none(),
+                 "pair_friction"_a = usual.pair_friction);
   instrument.def_readwrite("tool", &Instrument::tool, "The tip.")
       .def_readwrite("coupling", &Instrument::coupling, "The hand's spring.")
       .def_readwrite("hold_stiffness", &Instrument::hold_stiffness,
@@ -202,10 +204,14 @@ void bind_instrument(py::module_& m) {
           [](Instrument& self, const std::optional<Vec3>& trocar) { self.trocar = trocar; },
           "[m] shape (3,): where the shaft, which goes along the tool's z to the hand, passes the "
           "abdominal wall: z points there from the tool's position, and only the roll is the "
-          "device's. None: the device turns the tool. A copy.");
+          "device's. None: the device turns the tool. A copy.")
+      .def_readwrite("pair_friction", &Instrument::pair_friction,
+                     "[-] Coulomb's coefficient of the tool with each surface of the scene: "
+                     "bodies, then scenery, then rigid bodies, in place of tool.friction; empty: "
+                     "that with all. Where that is 0, nothing rubs. Assign the whole list.");
   def_value(instrument, &Instrument::tool, &Instrument::coupling, &Instrument::hold_stiffness,
-            &Instrument::trocar);
-  def_repr(instrument, {"tool", "coupling", "hold_stiffness", "trocar"});
+            &Instrument::trocar, &Instrument::pair_friction);
+  def_repr(instrument, {"tool", "coupling", "hold_stiffness", "trocar", "pair_friction"});
 }
 
 /// What it is made of, and whether build_scene has filled in what follows from that.

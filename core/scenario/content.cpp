@@ -79,6 +79,7 @@ Json print_instrument(const Instrument& instrument) {
                   {"coupling", {{"stiffness", coupling_stiffness}, {"force_max", force_max}}},
                   {"hold_stiffness", instrument.hold_stiffness}};
   if (instrument.trocar) printed["trocar"] = print_vector(*instrument.trocar);
+  if (!instrument.pair_friction.empty()) printed["pair_friction"] = instrument.pair_friction;
   return printed;
 }
 
@@ -184,7 +185,7 @@ std::optional<Jaws> parse_jaws(Fields& tool) {
   return jaws;
 }
 
-Instrument parse_instrument(Fields fields) {
+Instrument parse_instrument(Fields fields, std::size_t surfaces) {
   Instrument instrument;
   Fields tool = fields.object("tool");
   instrument.tool = {.radius = tool.number("radius"),
@@ -199,6 +200,9 @@ Instrument parse_instrument(Fields fields) {
   coupling.finish();
   instrument.hold_stiffness = fields.number("hold_stiffness");
   if (fields.has("trocar")) instrument.trocar = parse_vector(fields, "trocar");
+  if (fields.has("pair_friction")) {
+    instrument.pair_friction = fields.numbers("pair_friction", surfaces);
+  }
   fields.finish();
   return instrument;
 }
@@ -210,9 +214,10 @@ void parse_scene(Fields fields, Scene& scene) {
   }
   parse_pairs(fields, scene);
   parse_hard_parts(fields, scene);
+  const std::size_t surfaces = scene.bodies.size() + scene.scenery.size() + scene.rigid.size();
   scene.instruments.clear();
   for (Fields& instrument : fields.objects("instruments", kMostInstruments)) {
-    scene.instruments.push_back(parse_instrument(std::move(instrument)));
+    scene.instruments.push_back(parse_instrument(std::move(instrument), surfaces));
   }
   scene.gravity = parse_vector(fields, "gravity");
   scene.rate = fields.number("rate");

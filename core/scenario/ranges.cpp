@@ -70,6 +70,7 @@ std::vector<Range> build_ranges() {
   ranges.push_back({"scene.instruments[i].coupling.force_max", "N", 1e-3, 1e3});
   ranges.push_back({"scene.instruments[i].hold_stiffness", "N/m", 1e-3, 1e6});
   ranges.push_back({"scene.instruments[i].trocar", "m", -10.0, 10.0});
+  ranges.push_back({"scene.instruments[i].pair_friction", "-", 0.0, 2.0});
   ranges.push_back({"scene.gravity", "m/s²", -1e3, 1e3});
   ranges.push_back({"scene.rate", "Hz", 1.0, 2e4});
   ranges.push_back({"scene.exchange_rate", "Hz", 10.0, 2e4});
@@ -166,6 +167,9 @@ void check_instrument(const Instrument& instrument, std::size_t i) {
   check_number("scene.instruments[i].coupling.stiffness", instrument.coupling.stiffness, i);
   check_number("scene.instruments[i].coupling.force_max", instrument.coupling.force_max, i);
   check_number("scene.instruments[i].hold_stiffness", instrument.hold_stiffness, i);
+  for (const double mu : instrument.pair_friction) {
+    check_number("scene.instruments[i].pair_friction", mu, i);
+  }
   if (!instrument.trocar) return;
   for (const double at : *instrument.trocar) check_number("scene.instruments[i].trocar", at, i);
 }

@@ -29,7 +29,7 @@ SCHEMA = Path(palpate.__file__).parent / "schemas" / "layout.schema.json"
 LAYOUT = Layout(
     title="Kidney",
     bodies=(
-        PlacedBody("kidney", "kidney.palpate", "0" * 64, weightless=True),
+        PlacedBody("kidney", "kidney.palpate", "0" * 64, weightless=True, tool_friction=(0.05,)),
         PlacedBody("bowel", "b.palpate", ""),
     ),
     pairs=(TouchingPair("kidney", "bowel", thickness=4e-4),),
@@ -79,6 +79,8 @@ DAMAGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "no gravity": lambda data: data["now"].pop("gravity"),
     "kidney.position": lambda data: data["now"]["bodies"][0].update(position=[0.0, 0.0]),
     "weightless": lambda data: data["now"]["bodies"][0].update(weightless=9.8),
+    "kidney.tool_friction": lambda data: data["now"]["bodies"][0].update(tool_friction=[-0.1]),
+    "tray.tool_friction": lambda data: data["now"]["scenery"][0].update(tool_friction=[0.1, 0.2]),
     "0.name": lambda data: data["now"]["bodies"][0].update(name=""),
     "stone.density": lambda data: data["now"]["stones"][0].update(density=0.0),
     "stone.scale": lambda data: data["now"]["stones"][0].update(scale=-1.0),
@@ -106,13 +108,36 @@ def test_a_damaged_layout_is_refused_by_schema_and_reader_alike(schema, tmp_path
         read_layout(path)
 
 
+def make_older(data: dict[str, Any]) -> None:
+    """Without what was placed says since versions 5 and 6."""
+    for layout in (data["now"], *data["before"], *data["undone"]):
+        for part in (*layout["bodies"], *layout["stones"], *layout["scenery"]):
+            part.pop("weightless", None)
+            del part["tool_friction"]
+
+
+def test_a_layout_of_version_5_rubs_alike_on_all(tmp_path):
+    path, data = write(tmp_path)
+    data["version"] = 5
+    for layout in (data["now"], *data["before"], *data["undone"]):
+        for part in (*layout["bodies"], *layout["stones"], *layout["scenery"]):
+            del part["tool_friction"]
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+    read = read_layout(path).now
+    assert read.bodies[0].weightless and {part.tool_friction for part in read.parts} == {()}
+    data["now"]["stones"][0]["tool_friction"] = []
+    path.write_text(json.dumps(data), encoding="utf-8")
+    with pytest.raises(Refusal, match="stones.tool_friction: got one in a layout of version 5"):
+        read_layout(path)
+
+
 def test_a_layout_of_version_3_has_no_task(tmp_path):
     path, data = write(tmp_path)
     data["version"] = 3
+    make_older(data)
     for layout in (data["now"], *data["before"], *data["undone"]):
         del layout["assessment"]
-        for body in layout["bodies"]:
-            del body["weightless"]
     path.write_text(json.dumps(data), encoding="utf-8")
 
     assert read_layout(path).now.assessment == ""
@@ -134,9 +159,7 @@ def test_a_task_that_is_no_assessment_is_refused(tmp_path):
 def test_a_layout_of_version_4_has_no_weightless_bodies(tmp_path):
     path, data = write(tmp_path)
     data["version"] = 4
-    for layout in (data["now"], *data["before"], *data["undone"]):
-        for body in layout["bodies"]:
-            del body["weightless"]
+    make_older(data)
     path.write_text(json.dumps(data), encoding="utf-8")
 
     assert [body.weightless for body in read_layout(path).now.bodies] == [False, False]

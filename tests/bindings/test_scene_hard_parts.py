@@ -7,6 +7,7 @@ import contextlib
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import palpate
@@ -62,6 +63,36 @@ def test_from_meshes_to_a_file_that_is_pressed_and_replays(layout, tmp_path, cap
     assert main(["press", str(out), "--at", "0,0,80", "--record", str(record)]) == 0
     assert main(["replay", str(record)]) == 0
     assert "the same bits" in capsys.readouterr().out
+
+
+def test_each_pair_of_instrument_and_surface_has_a_coefficient_of_its_own(layout, tmp_path, capsys):
+    out = tmp_path / "stone.palpate"
+    say(capsys, "tool", layout, "--kind", "grasper", "--friction", 0.5)
+    assert say(capsys, "publish", layout, "-o", out)["code"] == 0
+    assert palpate.scenario.read(out).scene.instruments[0].pair_friction == []
+
+    told = say(capsys, "place", layout, "stone", "--tool-friction", 0.3)
+    assert told["stones"][0]["tool_friction"] == [0.3]
+    say(capsys, "place", layout, "organ", "--tool-friction", 0.05)
+    assert main(["scene", "place", str(layout), "organ", "--by", "0,0,0"]) == 0
+    assert "; instruments rub with 0.05" in capsys.readouterr().out
+    assert say(capsys, "publish", layout, "-o", out)["code"] == 0
+
+    (instrument,) = palpate.scenario.read(out).scene.instruments
+    assert instrument.pair_friction == [0.05, 0.5, 0.3]  # organ, table, stone
+    told = say(capsys, "place", layout, "stone", "--tool-friction", "own")
+    assert told["stones"][0]["tool_friction"] == []
+
+
+def test_a_coefficient_of_a_tool_that_slides_on_everything_is_refused(layout, capsys):
+    say(capsys, "tool", layout, "--kind", "ball", "--friction", 0)
+    say(capsys, "place", layout, "organ", "--tool-friction", 0.05)
+
+    problems = say(capsys, "check", layout, "--quick")["problems"]
+
+    assert any("pair_friction [-]: got 0.05, expected 0 for all" in p["message"] for p in problems)
+    assert main(["scene", "place", str(layout), "organ", "--tool-friction", "wet"]) == 2
+    assert "got 'wet', expected 0 to 2, or own" in capsys.readouterr().err
 
 
 def test_stones_and_scenery_are_changed_undone_and_removed(layout, capsys):
@@ -245,13 +276,20 @@ def test_a_layout_file_with_a_tool_that_cannot_be_is_refused(layout, capsys, nam
         read_layout(layout)
 
 
+def make_older(layout: dict[str, Any]) -> None:
+    """Without what was placed says since versions 5 and 6."""
+    for name in ("bodies", "stones", "scenery"):
+        for part in layout.get(name, ()):
+            part.pop("weightless", None)
+            del part["tool_friction"]
+
+
 def test_a_layout_of_version_2_is_read(layout):
     made = json.loads(layout.read_text(encoding="utf-8"))
     made["version"] = 2
     for each in (made["now"], *made["before"], *made["undone"]):
         del each["fluid"], each["tools"], each["assessment"]
-        for body in each["bodies"]:
-            del body["weightless"]
+        make_older(each)
     layout.write_text(json.dumps(made), encoding="utf-8")
 
     assert len(read_layout(layout).now.stones) == 1
@@ -263,14 +301,13 @@ def test_a_layout_of_before_there_were_stones_is_read(layout, capsys):
     for each in (made["now"], *made["before"], *made["undone"]):
         for name in ADDED[1]:
             del each[name]
-        for body in each["bodies"]:
-            del body["weightless"]
+        make_older(each)
     layout.write_text(json.dumps(made), encoding="utf-8")
 
     assert read_layout(layout).now.stones == ()
     told = say(capsys, "place", layout, "organ", "--by", "0,0,1")
     assert (told["code"], told["stones"], told["scenery"]) == (0, [], [])
-    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 5
+    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 6
 
 
 @pytest.mark.parametrize(

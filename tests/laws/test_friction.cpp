@@ -4,13 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "palpate/sim/model/build_surface.h"
 #include "palpate/sim/tick/tick.h"
 #include "scenes/flicks.h"
+#include "scenes/grasped.h"
 #include "scenes/kernels.h"
 #include "scenes/scenes.h"
 #include "scenes/solids.h"
+#include "scenes/tables.h"
 #include "scenes/walls.h"
 
 // T4, friction over time, through the tick the hand feels [contact: friction]: on a wall of springs
@@ -76,10 +81,10 @@ Scene make_plate(double mu) {
   return build_scene(std::move(scene));
 }
 
-/// [m] The middle of its top.
-Vec3 find_top(const Scene& scene) {
+/// [m] The middle of the top of some points.
+Vec3 find_top(std::span<const Vec3> points) {
   Vec3 low = Vec3::Constant(1.0), high = -low;
-  for (const Vec3& x : scene.bodies[0].tissue.rest_position) {
+  for (const Vec3& x : points) {
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
@@ -90,7 +95,11 @@ Vec3 find_top(const Scene& scene) {
 class Press {
  public:
   Press(const Scene& scene, double depth, double from = 0.0)
-      : scene_(scene), world_(scene), depth_(depth) {
+      : Press(scene, depth, from, find_top(scene.bodies[0].tissue.rest_position)) {}
+
+  /// Over another place than the middle of the first body [m].
+  Press(const Scene& scene, double depth, double from, const Vec3& top)
+      : scene_(scene), world_(scene), depth_(depth), top_(top) {
     for (int i = 0; i < 400; ++i) {
       const double down = std::min(1.0, i / 200.0) * (depth_ + 0.001);
       put({from, 0.0, kRadius + 0.001 - down});
@@ -111,7 +120,7 @@ class Press {
   const Scene& scene_;
   World world_;
   double depth_;
-  Vec3 top_ = find_top(scene_);
+  Vec3 top_;
 };
 
 struct Slide {
@@ -128,11 +137,12 @@ double measure_ratio(const Press& press) {
   return (pull - normal * instrument.tool.patch_normal).norm() / std::abs(normal);
 }
 
-/// At 20 mm/s over `path` [m]: along the plane what triangles do to either is gone from the means.
-Slide measure_slide(const Scene& scene, double depth, double path) {
-  constexpr double kSpeed = 0.02, kBefore = 0.006;
-  const double from = -0.5 * (path + kBefore), mu = scene.instruments[0].tool.friction;
-  Press press(scene, depth, from);
+constexpr double kBefore = 0.006;  ///< [m] a tool slides before it is measured
+
+/// At 20 mm/s over `path` [m] of what has the coefficient mu, from `from` [m] on: along the plane
+/// what triangles do to either is gone from the means.
+Slide measure_slide(Press& press, double mu, double from, double path) {
+  constexpr double kSpeed = 0.02;
   Slide slide;
   Vec3 sum = Vec3::Zero();
   int count = 0;
@@ -148,6 +158,12 @@ Slide measure_slide(const Scene& scene, double depth, double path) {
   slide.ratio /= count;
   slide.plane = -sum.x() / sum.z();
   return slide;
+}
+
+Slide measure_slide(const Scene& scene, double depth, double path) {
+  const double from = -0.5 * (path + kBefore);
+  Press press(scene, depth, from);
+  return measure_slide(press, scene.instruments[0].tool.friction, from, path);
 }
 
 /// `tilted` is how far the plane's ratio may be from mu [-].
@@ -205,7 +221,88 @@ Work circle(const Scene& scene, double depth, int laps) {
   return work;
 }
 
+/// Two flat walls side by side, which meet at y = 0, and a table far from them.
+Scene make_pair_of_walls(std::vector<double> pair_friction) {
+  Scene scene = make_flat_wall(0.3);
+  scene.bodies.push_back(scene.bodies[0]);
+  for (std::size_t b = 0; b < 2; ++b) {
+    for (Vec3& x : scene.bodies[b].tissue.rest_position) x.y() += b == 0 ? -0.03 : 0.03;
+  }
+  scene.scenery = {{scenes::make_table(0.06, 24, {0.2, 0.0, 0.0}), {}, 0.0}};
+  scene.instruments[0].pair_friction = std::move(pair_friction);
+  return build_scene(std::move(scene));
+}
+
+/// [-] Of a tool that slides along x over a place [m] at which it touches what has mu.
+double measure_pair_ratio(const Scene& scene, const Vec3& at, double depth, double mu) {
+  const double path = 0.012, from = -0.5 * (path + kBefore);
+  Press press(scene, depth, from, at);
+  return measure_slide(press, mu, from, path).ratio;
+}
+
 }  // namespace
+
+TEST_CASE("T4: each pair of surfaces has a coefficient of its own") {
+  const Scene scene = make_pair_of_walls({0.1, 0.5, 0.4});
+  const auto check = [&](const Vec3& at, double depth, double mu, double within) {
+    CAPTURE(mu);
+    CHECK(std::abs(measure_pair_ratio(scene, at, depth, mu) - mu) < within * mu);
+  };
+  check({0.0, -0.03, 0.0}, 0.003, 0.1, 0.01);
+  check({0.0, 0.03, 0.0}, 0.003, 0.5, 0.01);
+  check({0.2, 0.0, 0.0}, 0.002, 0.4, 0.01);  // the table
+  check({0.0, 0.0, 0.0}, 0.003, 0.3, 0.05);  // on both walls alike: the mean
+}
+
+TEST_CASE("coefficients of pairs that are the tool's own change no bit, and none of 0 rubs") {
+  const auto drag = [](const Scene& scene) {
+    Press press(scene, 0.003, 0.0, {0.0, 0.0, 0.0});
+    for (int i = 0; i < 200; ++i) press.slide(2e-5 * i);
+    return compute_hash(press.world());
+  };
+  CHECK(drag(make_pair_of_walls({0.3, 0.3, 0.3})) == drag(make_pair_of_walls({})));
+  const Scene slippery = make_pair_of_walls({0.0, 0.0, 0.0});
+  CHECK(measure_pair_ratio(slippery, {0.0, 0.03, 0.0}, 0.003, 0.0) == 0.0);
+  Press press(slippery, 0.003, 0.0, {0.0, 0.03, 0.0});
+  for (int i = 0; i < 100; ++i) press.slide(2e-5 * i);
+  CHECK(press.world().instruments[0].tool.friction.norm() == 0.0);
+}
+
+// What sticks to jaws carries mu N of its own pair, and is let go of from there.
+TEST_CASE("G1: jaws slip by the coefficient of what they hold") {
+  constexpr double kOwn = 0.5, kPair = 0.25;
+  Scene scene = scenes::make_grasped_slab(scenes::make_grasper(kOwn, 1.0), 1000.0, 3e7, 1000.0, 4);
+  scene.instruments[0].pair_friction = {kPair};
+  scene = build_scene(std::move(scene));
+  scenes::GraspingHand hand(scene);
+  hand.close();
+  hand.wait(0.2);
+  hand.go(0.004, 0.2);
+  double most = 0.0;
+  hand.after_tick = [&] {
+    const ToolState& tool = hand.tool();
+    double pressed = 0.0;
+    for (int k = 0; k < tool.anchor_count; ++k) {
+      pressed += tool.anchors[static_cast<std::size_t>(k)].pressed;
+    }
+    if (pressed > 0.0) most = std::max(most, tool.held_load / pressed);
+  };
+  hand.go(0.004, 0.2);
+  CHECK(most < kPair * (1.0 + 1e-9));
+  CHECK(most > 0.97 * kPair);
+  double step = 0.0;
+  const double held = hand.force().norm();
+  Vec3 last = hand.force();
+  hand.after_tick = [&] {
+    step = std::max(step, (hand.force() - last).norm());
+    last = hand.force();
+  };
+  hand.open();
+  hand.wait(0.15);
+  CHECK(step < 0.2 * held);
+  CHECK(hand.tool().anchor_count == 0);
+  CHECK_FALSE(hand.world().alarm);
+}
 
 TEST_CASE("T4: on a wall a sliding tool pulls with mu times what it presses with" *
           doctest::test_suite("landing")) {

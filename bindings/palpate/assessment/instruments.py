@@ -85,6 +85,8 @@ def shape_tool(said: Mapping[str, Any], row: int, scene: palpate.Scene) -> palpa
     part = read_part(said, scene.instruments[row].tool)
     changed = copy(scene)
     instrument = changed.instruments[row]
+    if part.friction != instrument.tool.friction:
+        instrument.pair_friction = []  # those of another instrument
     instrument.tool = build_tool(part)
     instrument.trocar = place_trocar(said, part, scene.bodies[0].tissue)
     if "force_max_N" in said:

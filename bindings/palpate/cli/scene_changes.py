@@ -100,6 +100,8 @@ def place(part: Any, call: argparse.Namespace) -> Any:
     if call.turn is not None:
         turn = Rotation.from_euler("xyz", call.turn, degrees=True).as_rotvec()
         part = replace(part, rotation=tuple(map(float, turn)))
+    if call.tool_friction is not None:
+        part = replace(part, tool_friction=call.tool_friction)
     for option, name in OF_BODIES.items():
         told = getattr(call, option, None)
         if told is None:

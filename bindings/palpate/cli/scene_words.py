@@ -45,7 +45,10 @@ def describe_scene(report: Report) -> str:
 def describe_place(told: dict[str, Any]) -> str:
     at = ", ".join(f"{1e3 * x:.2f}" for x in told["position_m"])
     turn = Rotation.from_rotvec(told["rotation_rad"]).as_euler("xyz", degrees=True)
-    return f"  {told['name']}: at {at} mm, turned {', '.join(f'{x:.1f}' for x in turn)} degrees"
+    own = f"; instruments rub with {told['tool_friction'][0]:g}" if told["tool_friction"] else ""
+    return (
+        f"  {told['name']}: at {at} mm, turned {', '.join(f'{x:.1f}' for x in turn)} degrees{own}"
+    )
 
 
 def describe_hull(told: dict[str, Any]) -> str:

@@ -144,7 +144,18 @@ def build_tools(assembly: Assembly) -> list[palpate.Instrument]:
         first.tool = build_tool(part)
         first.trocar = np.array(said.trocar) if said.trocar else None
         made = [first]
+    for instrument in made:
+        instrument.pair_friction = list_pair_friction(assembly.layout, instrument.tool.friction)
     return made
+
+
+def list_pair_friction(layout: Layout, own: float) -> list[float]:
+    """[-] Of an instrument with each surface of the scene, in the order that it has them; none
+    where all are its own."""
+    surfaces = (*layout.bodies, *layout.scenery, *layout.stones)
+    if not any(part.tool_friction for part in surfaces):
+        return []
+    return [part.tool_friction[0] if part.tool_friction else own for part in surfaces]
 
 
 def build(assembly: Assembly) -> palpate.Scene:

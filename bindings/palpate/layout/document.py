@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-FORMAT, VERSION = "palpate layout", 5
+FORMAT, VERSION = "palpate layout", 6
 MOST_STEPS = 100
 """Changes that can be undone; older ones are forgotten."""
 
@@ -31,6 +31,8 @@ class Placed:
     """[m] of the file's own origin."""
     rotation: tuple[float, ...] = (0.0, 0.0, 0.0)
     """[rad] rotation vector about that origin."""
+    tool_friction: tuple[float, ...] = ()
+    """[-] (1,) Coulomb's coefficient of instruments on it. None: that of the instrument."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +102,7 @@ class SceneTool:
     jaw_opening: float
     """[rad] of each jaw; 0: what touches is rigid."""
     friction: float
-    """[-]"""
+    """[-] on all whose `tool_friction` says nothing else."""
     grip_force: float = 5.0
     """[N] with which each jaw closes at most, at its middle."""
     trocar: tuple[float, ...] = ()

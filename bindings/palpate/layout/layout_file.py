@@ -19,10 +19,13 @@ from palpate.scene.instrument_kinds import KINDS
 
 MOST_BYTES = 16 * 2**20
 ADDED = {1: ("stones", "scenery", "gravity", "fluid", "tools", "assessment"),
-         2: ("fluid", "tools", "assessment"), 3: ("assessment",), 4: ()}  # fmt: skip
+         2: ("fluid", "tools", "assessment"), 3: ("assessment",), 4: (), 5: ()}  # fmt: skip
 """What a layout of an older version had not."""
-OF_BODIES = {"weightless": False}
-"""What a body had not before version 5, and is as if it had."""
+OF_PARTS: dict[str, tuple[int, tuple[str, ...], object]] = {
+    "weightless": (5, ("bodies",), False),
+    "tool_friction": (6, ("bodies", "stones", "scenery"), []),
+}
+"""What is placed has since this version, in these lists; before, all are as if they had this."""
 
 
 def read_layout(path: Path) -> History:
@@ -55,19 +58,24 @@ def add_missing(path: Path, value: Any, version: int) -> Any:
         if name in value:
             raise Refusal(path, name, f"some in a layout of version {version}", "none")
     whole = {**value, **{name: "" if name == "assessment" else [] for name in ADDED[version]}}
-    if isinstance(whole.get("bodies"), list):
-        whole["bodies"] = [add_to_body(path, body, version) for body in whole["bodies"]]
+    for name, (since, lists, usual) in OF_PARTS.items():
+        for parts in lists if version < since else ():
+            if isinstance(whole.get(parts), list):
+                whole[parts] = [
+                    add_to_part(path, part, f"{parts}.{name}", usual, version)
+                    for part in whole[parts]
+                ]
     return whole
 
 
-def add_to_body(path: Path, body: Any, version: int) -> Any:
+def add_to_part(path: Path, part: Any, where: str, usual: object, version: int) -> Any:
     """Raises Refusal."""
-    if not isinstance(body, dict):
-        return body  # refused by the reader
-    for name in OF_BODIES:
-        if name in body:
-            raise Refusal(path, f"bodies.{name}", f"one in a layout of version {version}", "none")
-    return {**body, **OF_BODIES}
+    if not isinstance(part, dict):
+        return part  # refused by the reader
+    name = where.partition(".")[2]
+    if name in part:
+        raise Refusal(path, where, f"one in a layout of version {version}", "none")
+    return {**part, name: usual}
 
 
 AT_LEAST = dict.fromkeys(("friction", "thickness", "stiffness", "damping", "length"), 0.0)
@@ -98,6 +106,11 @@ def require_sound(path: Path, layout: Layout) -> None:
             count = len(getattr(part, field))
             if count != 3:
                 raise Refusal(path, f"{where}.{field}", f"{count} numbers", "3")
+        if len(part.tool_friction) > 1:
+            raise Refusal(path, f"{where}.tool_friction", f"{len(part.tool_friction)} numbers",
+                          "one, or none")  # fmt: skip
+        if any(not mu >= 0.0 for mu in part.tool_friction):
+            raise Refusal(path, f"{where}.tool_friction", f"{part.tool_friction[0]:g}", "0 or more")
         require_ranges(path, where, part)
     if len(layout.gravity) not in (0, 3):
         raise Refusal(path, "gravity", f"{len(layout.gravity)} numbers", "3, or none")

@@ -161,7 +161,7 @@ class ToolPart:
     stiffness: float = 3e7
     """[N/m³] k_A of the contact law."""
     friction: float = field(default=0.0, metadata={"since": 12})
-    """[-] Coulomb's coefficient between tip and tissue: 0.05 to 0.15 of smooth metal on wet serosa,
+    """[-] Coulomb's coefficient between tip and tissue: 0.01 to 0.11 of smooth metal on wet bowel,
     0.3 to 0.8 of a profiled jaw; 0: it slides."""
     length: float = field(default=0.0, metadata={"since": 15})
     """[m] of the shaft, from the tip's middle to the hand, that touches: a capsule; 0: a ball. Of

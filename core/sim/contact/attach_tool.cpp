@@ -130,7 +130,8 @@ void ContactRows::add(const Triangle& t, const Vec3& weights, double stiffness) 
 /// motion: K s w_i.
 void add_shape_rows(const Shape& shape, bool with_holds, const TouchableSurface& surface,
                     const ToolState& state, double coupling, ContactRows& rows) noexcept {
-  const double sliding = std::sqrt(1.0 + shape.tool.friction * shape.tool.friction);
+  const double mu = shape.tool.friction * surface.friction_part;
+  const double sliding = std::sqrt(1.0 + mu * mu);
   const auto add = [&](int t, const Vec3& weights, double stiffness) noexcept {
     rows.add(surface.triangles[static_cast<std::size_t>(t)], weights, stiffness);
   };

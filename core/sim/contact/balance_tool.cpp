@@ -33,6 +33,7 @@ struct Touch {
   Mat3 stiffness = Mat3::Zero();  ///< [N/m] of contacts along their directions, and of holds
   Vec3 contact = Vec3::Zero();    ///< [N] the part of contacts in the force
   double hold_stiffness = 0.0;    ///< [N/m] the part of holds in the stiffness
+  double friction_part = 1.0;     ///< [-] mu of what is touched over Tool::friction
   double smallest_distance =
       0.0;  ///< [m] from the tool's centre to the surface, at most its radius
 };
@@ -78,13 +79,17 @@ Vec3 compute_pull(const Surroundings& around, const ToolState::Hold& hold, const
 Touch compute_touch(const Surroundings& around, const Vec3& p) noexcept {
   Touch touch;
   touch.smallest_distance = around.shape.tool.radius;
-  for_each_contact(around, p, [&](int, int, const Contact& contact) noexcept {
+  double pressed = 0.0, rubbed = 0.0;
+  for_each_contact(around, p, [&](int body, int, const Contact& contact) noexcept {
     const Vec3& n = contact.direction;
+    pressed += contact.force;
+    rubbed += around.surfaces[static_cast<std::size_t>(body)].friction_part * contact.force;
     touch.force += contact.force * n;
     touch.stiffness += contact.stiffness * (n * n.transpose());
     touch.smallest_distance = std::min(touch.smallest_distance, contact.distance);
   });
   touch.contact = touch.force;
+  if (pressed > 0.0) touch.friction_part = rubbed / pressed;
   for (const ToolState::Hold& hold : around.holds) {
     touch.force += compute_pull(around, hold, p);
     const double across = hold.is_tied() ? hold.sideways : hold.stiffness;
@@ -133,12 +138,13 @@ Vec3 take_newton_step(const Surroundings& around, const Coupling& coupling, cons
   const Mat3 jacobian =
       at_limit ? find_pull_slope(coupling, to_hand, touch.contact, residual) + touch.stiffness
                : stiff;
-  const bool rubs = around.shape.tool.friction > 0.0 && !touch.contact.isZero(0.0);
+  const double mu = around.shape.tool.friction * touch.friction_part;
+  const bool rubs = mu > 0.0 && !touch.contact.isZero(0.0);
   const Vec3 whole =
       rubs ? find_friction_step({residual - touch.contact, touch.contact,
                                  coupling.stiffness + touch.hold_stiffness,
                                  touch.stiffness - touch.hold_stiffness * Mat3::Identity()},
-                                stuck - p, around.shape.tool.friction)
+                                stuck - p, mu)
            : Vec3(jacobian.llt().solve(residual));
   const Vec3 step = shorten(around, p, touch, whole);
   // all surfaces were searched along the same path

@@ -256,12 +256,13 @@ Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolStat
     if (!surface_of(around, jaw, body).load->add({t, contact.weights, -force})) return;
     sum += force;
     state.touching = true;
-    if (!(around.tool.friction > 0.0)) return;
+    const double mu = find_friction(around.tool, bodies, body);
+    if (!(mu > 0.0)) return;
     const double whole = touch.pressed[static_cast<std::size_t>(jaw)].force;
     const Vec3 move = place.jaws.move(jaw, find_at(around, place, jaw, body, t, contact));
     const double opens = contact.direction.dot(move) / move.norm();
     const double pressed = contact.force * (1.0 + layer.force / whole) *
-                           find_grip(around.tool, touch.pressed, layer.force, jaw, opens);
+                           find_grip(mu, touch.pressed, layer.force, jaw, opens);
     press_anchor(around.tool, place.jaws, bodies, {jaw, body, t, contact.weights, pressed}, sorted,
                  state);
   });

@@ -167,12 +167,30 @@ void check_shapes(const Scene& scene) {
   }
 }
 
-void validate(const Instrument& instrument, const Place& place) {
+/// Of each surface of the scene, where the tool has friction at all.
+void check_pair_friction(const Instrument& instrument, std::size_t surfaces, const Place& place) {
+  const std::vector<double>& pairs = instrument.pair_friction;
+  if (pairs.empty()) return;
+  const std::string where = place("pair_friction [-]");
+  if (pairs.size() != surfaces) {
+    palpate::refuse("scene: " + where, write_text(pairs.size(), " numbers"),
+                    write_text(surfaces, ", one per body, scenery and rigid body, or none"));
+  }
+  for (const double mu : pairs) {
+    if (!(mu >= 0.0) || !std::isfinite(mu)) refuse(where, mu, "0, or positive numbers");
+    if (mu > 0.0 && instrument.tool.friction == 0.0) {
+      refuse(where, mu, "0 for all with a tool.friction of 0: such a tool slides on everything");
+    }
+  }
+}
+
+void validate(const Instrument& instrument, std::size_t surfaces, const Place& place) {
   require_positive(place("tool.radius [m]"), instrument.tool.radius);
   require_positive(place("tool.stiffness [N/m^3]"), instrument.tool.stiffness);
   if (!(instrument.tool.friction >= 0.0) || !std::isfinite(instrument.tool.friction)) {
     refuse(place("tool.friction [-]"), instrument.tool.friction, "0, or a positive number");
   }
+  check_pair_friction(instrument, surfaces, place);
   check_capsules(instrument.tool, place);
   check_jaws(instrument.tool, place);
   require_positive(place("coupling.stiffness [N/m]"), instrument.coupling.stiffness);
@@ -253,8 +271,9 @@ void check_exchange_rate(const Scene& scene) {
 void validate(const Scene& scene) {
   if (scene.bodies.empty()) refuse("bodies", 0, "at least one to touch");
   if (scene.instruments.empty()) refuse("instruments", 0, "at least one to touch with");
+  const std::size_t surfaces = scene.bodies.size() + scene.scenery.size() + scene.rigid.size();
   for (std::size_t i = 0; i < scene.instruments.size(); ++i) {
-    validate(scene.instruments[i], Place("instruments", i, scene.instruments.size()));
+    validate(scene.instruments[i], surfaces, Place("instruments", i, scene.instruments.size()));
   }
   check_shapes(scene);
   require_positive("rate [Hz]", scene.rate);

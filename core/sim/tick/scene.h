@@ -89,6 +89,9 @@ struct Instrument {
   /// points there from the tool's position, and only the roll is the device's. None: the device
   /// turns the tool [contact: trocar]
   std::optional<Vec3> trocar = {};
+  /// [-] mu of the tool with each surface of the scene: bodies, then scenery, then rigid bodies, in
+  /// place of tool.friction; empty: that with all. Where that is 0, nothing rubs [contact: friction]
+  std::vector<double> pair_friction = {};
 };
 
 /// What moves and keeps its shape, a stone for one. Instruments touch its mesh;

@@ -274,13 +274,15 @@ std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t in
                    &pair.load,
                    find_near_field(scene.instruments[instrument].tool, body),
                    {from, count}};
+    surfaces[b].friction_part = find_friction_part(scene.instruments[instrument], b);
     surfaces[b].springs = is_wall(body.tissue) && body.tissue.prisms.corners.empty();
     if (body.near_field) {
       surfaces[b].wall_thickness = body.near_field->wall_thickness;
       surfaces[b].wall_modulus = body.near_field->modulus;
     }
   }
-  list_hard_surfaces(instrument, 0, world, std::span(surfaces).subspan(world.bodies.size()));
+  list_hard_surfaces(scene, instrument, 0, world,
+                     std::span(surfaces).subspan(world.bodies.size()));
   return surfaces;
 }
 
@@ -293,7 +295,8 @@ std::array<std::span<const TouchedSurface>, 2> list_jaw_surfaces(const Scene& sc
     surfaces[b] = first[b];
     surfaces[b].candidates = &second_jaw(world, instrument, b);
   }
-  list_hard_surfaces(instrument, 1, world, std::span(surfaces).subspan(world.bodies.size()));
+  list_hard_surfaces(scene, instrument, 1, world,
+                     std::span(surfaces).subspan(world.bodies.size()));
   return {first, surfaces};
 }
 

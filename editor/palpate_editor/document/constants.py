@@ -120,7 +120,7 @@ LEAST_TETRAHEDRA, MOST_TETRAHEDRA = 100, 40_000
 LEAST_FINE_RATIO = 0.1
 """[-] Of the edges of a filling at its fine region to those far away."""
 MOST_FRICTION = 2.0
-"""[-] Coulomb's coefficient. Wet serosa and smooth metal have a tenth, profiled jaws up to 0.8."""
+"""[-] Coulomb's coefficient. Smooth metal on wet tissue has up to 0.11, profiled jaws up to 0.8."""
 MOST_LENGTH = 0.05
 """[m] Of the part of a shaft that touches. The near field of a longer one would take in the whole
 organ, and the time of a tick."""

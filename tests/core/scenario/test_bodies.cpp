@@ -65,6 +65,8 @@ TEST_CASE("a scene of two bodies and instruments that was read gives the very fo
   REQUIRE(found.scene.instruments.size() == 2);
   CHECK(found.scene.instruments[1].tool.radius == 0.002);
   CHECK(found.scene.instruments[1].tool.friction == 0.25);
+  CHECK(found.scene.instruments[0].pair_friction.empty());
+  CHECK(found.scene.instruments[1].pair_friction == std::vector{0.25, 0.0625});
   CHECK(found.scene.instruments[1].coupling.force_max == 2.0);
   CHECK(found.scene.bodies[0].force_error == 0.0);
   CHECK(found.scene.bodies[1].force_error == 1e-3);
@@ -235,6 +237,13 @@ TEST_CASE("what is wrong with a further body or instrument is refused by its num
   CHECK(contains(refuse_content(radius, "\"width\":1," + radius), "unknown member \"width\""));
   CHECK(contains(refuse_content("\"friction\":0.25", "\"friction\":3"),
                  "scene.instruments[1].tool.friction: got 3, expected 0 to 2 -"));
+  const std::string pairs = "\"pair_friction\":[0.25,0.0625]";
+  CHECK(contains(refuse_content(pairs, "\"pair_friction\":[0.25]"),
+                 "scene.instruments[1].pair_friction: got 1 number"));
+  CHECK(contains(refuse_content(pairs, "\"pair_friction\":[0.25,3]"),
+                 "scene.instruments[1].pair_friction: got 3, expected 0 to 2 -"));
+  CHECK(contains(refuse_content(pairs, "\"pair_friction\":[0.25,\"wet\"]"),
+                 "scene.instruments[1].pair_friction"));
   CHECK(contains(refuse_content("\"hold_stiffness\":300.0", "\"hold_stiffness\":0"),
                  "scene.instruments[1].hold_stiffness: got 0"));
   CHECK(contains(refuse_content("\"substeps\":", "\"substeps\":0,\"unused\":"),

@@ -84,6 +84,16 @@ TEST_CASE("a scene that cannot run is refused by the name of the field") {
   CHECK(names(refusal([&](Scene& s) { s.instruments[0].tool.stiffness = nan; }), "tool.stiffness"));
   CHECK(names(refusal([&](Scene& s) { s.instruments[0].tool.friction = nan; }), "tool.friction"));
   CHECK(names(refusal([](Scene& s) { s.instruments[0].tool.friction = -0.1; }), "tool.friction"));
+  const auto with_pairs = [](double own, std::vector<double> pairs) {
+    return refusal([&](Scene& s) {
+      s.instruments[0].tool.friction = own;
+      s.instruments[0].pair_friction = pairs;
+    });
+  };
+  CHECK(names(with_pairs(0.3, {0.1, 0.1}), "pair_friction [-]: got 2 numbers, expected 1, one per"));
+  CHECK(names(with_pairs(0.3, {-0.1}), "pair_friction [-]: got -0.1"));
+  CHECK(names(with_pairs(0.3, {nan}), "pair_friction [-]: got nan"));
+  CHECK(names(with_pairs(0.0, {0.1}), "pair_friction [-]: got 0.1, expected 0 for all with"));
   CHECK(names(refusal([](Scene& s) { s.instruments[0].coupling.stiffness = -1; }),
               "coupling.stiffness"));
   CHECK(names(refusal([](Scene& s) { s.instruments[0].coupling.force_max = 0; }),

@@ -67,26 +67,29 @@ Vec3 find_friction_step(const Unbalanced& tool, const Vec3& back, double mu) noe
 }
 
 /// Friction is what balances A along the surface, mu N at most. Each contact has the share of it
-/// that it has of the sum of f_t.
+/// that it has of the sum of mu_t f_t; mu is the mean of mu_t by f_t.
 Vec3 add_friction(std::span<const TouchedSurface> surfaces, const Vec3& applied,
                   const Vec3& contact, double mu, ToolState& state) noexcept {
   state.patch_count = 0;
   state.friction.setZero();
-  double sum = 0.0;
+  double sum = 0.0, rubbed = 0.0;
   for (const TouchedSurface& surface : surfaces) {
-    for (const Push& push : surface.load->pushes()) sum += push.force.norm();
+    for (const Push& push : surface.load->pushes()) {
+      sum += push.force.norm();
+      rubbed += surface.friction_part * push.force.norm();
+    }
   }
   const double normal_force = contact.norm();
-  if (!(normal_force > 0.0)) return state.friction;
+  if (!(normal_force > 0.0 && rubbed > 0.0)) return state.friction;
   state.patch_normal = contact / normal_force;
   const Vec3 pull = take_tangential(applied, state.patch_normal);
-  const double size = pull.norm(), most = mu * normal_force;
+  const double size = pull.norm(), most = mu * (rubbed / sum) * normal_force;
   state.friction = size > most ? Vec3(-pull * (most / size)) : Vec3(-pull);
   for (std::size_t b = 0; b < surfaces.size(); ++b) {
     Load& load = *surfaces[b].load;
     for (int k = 0; k < load.push_count; ++k) {
       Push& push = load.storage[static_cast<std::size_t>(k)];
-      const double share = push.force.norm() / sum;
+      const double share = surfaces[b].friction_part * push.force.norm() / rubbed;
       push.force -= share * state.friction;
       if (state.patch_count == static_cast<int>(state.patch.size())) continue;
       state.patch[static_cast<std::size_t>(state.patch_count++)] = {

@@ -25,7 +25,8 @@ Vec3 find_friction_step(const Unbalanced& tool, const Vec3& back, double mu) noe
 
 /// Shares friction out among the pushes of contacts, which are all that the loads have as yet, and
 /// takes note of the patch they are on. `applied` [N] is by the hand's spring and holds, `contact`
-/// [N] by the contacts. Returns the friction on the tool [N].
+/// [N] by the contacts; `mu` is Tool::friction, of which each surface has its part. Returns the
+/// friction on the tool [N].
 Vec3 add_friction(std::span<const TouchedSurface> surfaces, const Vec3& applied,
                   const Vec3& contact, double mu, ToolState& state) noexcept;
 

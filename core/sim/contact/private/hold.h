@@ -44,6 +44,7 @@ struct TouchableSurface {
   std::span<const Vec3> x;  ///< [m]
   const NearField* near;    ///< null under the hard law alone
   int body;                 ///< whose it is, of what is held
+  double friction_part = 1.0;  ///< [-] mu of the tool on it over Tool::friction
 
   std::span<const int> list_touchable() const noexcept {
     return std::span(candidates.triangles).first(static_cast<std::size_t>(candidates.count));
@@ -51,7 +52,8 @@ struct TouchableSurface {
 };
 
 inline TouchableSurface view(const TouchedSurface& surface, int body) noexcept {
-  return {*surface.candidates, surface.triangles, surface.x, surface.near, body};
+  return {*surface.candidates, surface.triangles, surface.x, surface.near, body,
+          surface.friction_part};
 }
 
 /// Calls take(triangle, weights, slope) of all that the shape touches.

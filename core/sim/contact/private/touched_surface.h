@@ -22,6 +22,7 @@ struct TouchedSurface {
   double wall_thickness = 0.0;                       ///< [m] of prisms; 0 of what has none
   double wall_modulus = 0.0;                         ///< [Pa] E* of such a wall
   bool springs = false;                              ///< of a wall that has nothing else
+  double friction_part = 1.0;  ///< [-] mu of the tool on it over Tool::friction
 };
 
 /// The pushes of all surfaces cancel the hand's spring, and each gets its own into its load.

@@ -67,7 +67,7 @@ AnchorSprings find_anchor_springs(const Tool& tool, const OpenJaws& jaws,
     const Stretch stretch = find_stretch(jaws, surfaces, state.position, anchor);
     const Vec3 move = jaws.move(anchor.jaw, stretch.at);
     const double size = anchor.stiffness * stretch.along.norm(),
-                 most = tool.friction * anchor.pressed;
+                 most = find_friction(tool, surfaces, anchor.body) * anchor.pressed;
     const bool slips = size > most;
     const Vec3 force = (slips ? most / size : 1.0) * anchor.stiffness * stretch.along;
     springs.force += force;
@@ -98,7 +98,7 @@ void press_anchor(const Tool& tool, const OpenJaws& jaws, std::span<const Touche
     ToolState::Anchor& anchor = *found;
     anchor.pressed = contact.pressed;
     const Vec3 along = find_stretch(jaws, surfaces, state.position, anchor).along;
-    const double size = anchor.stiffness * along.norm(), most = tool.friction * contact.pressed;
+    const double size = anchor.stiffness * along.norm(), most = find_friction(tool, surfaces, contact.body) * contact.pressed;
     if (!(size > most)) return;
     anchor.weights = contact.weights;
     anchor.place = jaws.to_jaw(anchor.jaw, at - (most / size) * along - state.position);
@@ -128,7 +128,7 @@ Vec3 pull_anchors(const Tool& tool, const OpenJaws& jaws, std::span<const Touche
   std::array<bool, 2> sticks{};
   for (const ToolState::Anchor& anchor : anchors_of(state)) {
     const Vec3 along = find_stretch(jaws, surfaces, state.position, anchor).along;
-    const double size = anchor.stiffness * along.norm(), most = tool.friction * anchor.pressed;
+    const double size = anchor.stiffness * along.norm(), most = find_friction(tool, surfaces, anchor.body) * anchor.pressed;
     const Vec3 force = (size > most ? most / size : 1.0) * anchor.stiffness * along;
     state.carried += force;
     state.held_load += std::min(size, most);

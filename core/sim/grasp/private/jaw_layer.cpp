@@ -66,9 +66,9 @@ double find_covered(const Tool& tool, const Pressed& pressed) noexcept {
   return tool.jaws->pad_area * (touched.high - touched.low) / length;
 }
 
-double find_grip(const Tool& tool, const std::array<Pressed, 2>& pressed, double layer, int jaw,
+double find_grip(double mu, const std::array<Pressed, 2>& pressed, double layer, int jaw,
                  double opens) noexcept {
-  const double smooth = std::min(1.0, kSmoothFriction / tool.friction);
+  const double smooth = std::min(1.0, kSmoothFriction / mu);
   const double own = pressed[static_cast<std::size_t>(jaw)].pad + layer;
   const double other = pressed[static_cast<std::size_t>(1 - jaw)].pad + layer;
   const double between = own > 0.0 ? std::min(1.0, other / own) : 0.0;

@@ -40,8 +40,8 @@ inline constexpr double kLayerFloor = 0.1;
 /// and a rigid tool, doubled: slip is to begin before the patch has changed [contact: jaws].
 inline constexpr double kBristle = 3.0;
 
-/// [-] Of smooth metal on wet serosa, 0.05 to 0.15: of a jaw's back and sides, and of a pad that
-/// nothing presses against from the other one.
+/// [-] Of smooth jaws on wet tissue, 0.11 [Heijnsdijk04]: of a jaw's back and sides, and of a pad
+/// that nothing presses against from the other one.
 inline constexpr double kSmoothFriction = 0.1;
 
 /// Cosine of a contact's direction and that in which its jaw opens: below the first it is one of
@@ -99,10 +99,16 @@ struct Squeeze {
 Squeeze find_squeeze(const Tool& tool, const OpenJaws& jaws,
                      const std::array<Pressed, 2>& pressed) noexcept;
 
-/// The part of a contact's force on a jaw that sticks by the tool's coefficient. A profile holds
-/// what lies between both pads, as hard as the one that is pressed less; all else slides on smooth
+/// [-] Coulomb's coefficient of the tool on one of the surfaces.
+inline double find_friction(const Tool& tool, std::span<const TouchedSurface> surfaces,
+                            int body) noexcept {
+  return tool.friction * surfaces[static_cast<std::size_t>(body)].friction_part;
+}
+
+/// The part of a contact's force on a jaw that sticks by the coefficient mu. A profile holds what
+/// lies between both pads, as hard as the one that is pressed less; all else slides on smooth
 /// metal. `opens` is the cosine of its direction and that in which the jaw opens there.
-double find_grip(const Tool& tool, const std::array<Pressed, 2>& pressed, double layer, int jaw,
+double find_grip(double mu, const std::array<Pressed, 2>& pressed, double layer, int jaw,
                  double opens) noexcept;
 
 /// The part of a contact that is on the pad.

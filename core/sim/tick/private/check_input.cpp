@@ -76,6 +76,9 @@ Alarm check_instrument(const Instrument& instrument) noexcept {
   if (!(friction >= 0.0) || !std::isfinite(friction)) {
     return find_invalid(TickInput::tool_friction, friction, 0.0);
   }
+  for (const double mu : instrument.pair_friction) {
+    if (!(mu >= 0.0) || !std::isfinite(mu)) return find_invalid(TickInput::tool_friction, mu, 0.0);
+  }
   return {};
 }
 

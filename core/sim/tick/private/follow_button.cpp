@@ -231,6 +231,17 @@ double measure_grip(const ToolState& tool) noexcept {
   return 0.5 * sum;
 }
 
+/// [-] Of what sticks to the jaws, the mean of its pairs' coefficients by what presses there.
+double find_held_friction(const Instrument& instrument, const ToolState& tool) noexcept {
+  double pressed = 0.0, rubbed = 0.0;
+  for (int k = 0; k < tool.anchor_count; ++k) {
+    const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
+    pressed += anchor.pressed;
+    rubbed += find_friction_part(instrument, static_cast<std::size_t>(anchor.body)) * anchor.pressed;
+  }
+  return instrument.tool.friction * (pressed > 0.0 ? rubbed / pressed : 1.0);
+}
+
 /// Jaws that let go of what is near an alarm have no more time than a hold has: what was left of
 /// their force goes in as many ticks, and what is felt may change by as much of it.
 void hurry(double dt, int slips, InstrumentState& state) noexcept {
@@ -244,11 +255,11 @@ void hurry(double dt, int slips, InstrumentState& state) noexcept {
 
 /// The force comes down to what just carries the load F, 2 mu N = F, and from there with less in
 /// every tick: what slips then is no more than a tick's part of it.
-void let_go(const Tool& tool, double dt, bool urgent, InstrumentState& state) noexcept {
+void let_go(const Instrument& instrument, double dt, bool urgent, InstrumentState& state) noexcept {
   ToolState& held = state.tool;
   const int slips = count_ticks(kReleaseTime, dt);
   if (state.release_ticks == 0) {
-    const double least = held.held_load / (2.0 * tool.friction);
+    const double least = held.held_load / (2.0 * find_held_friction(instrument, held));
     const double part = std::min(1.0, least / std::max(measure_grip(held), kNoLoad));
     state.release_ticks = slips + static_cast<int>(std::round((1.0 - part) * kEaseTime / dt));
     state.release_load = held.grip_limit * part;
@@ -264,7 +275,7 @@ void let_go(const Tool& tool, double dt, bool urgent, InstrumentState& state) no
   release_tool(held);
   state.attach_pressed = false;
   held.jaw_wanted = std::max(held.jaw_wanted, held.jaw_angle);
-  held.grip_limit = kOpening * tool.jaws->grip;
+  held.grip_limit = kOpening * instrument.tool.jaws->grip;
 }
 
 /// Jaws that open in a dent push at what is beside them: by that a hand is to be moved as evenly,
@@ -356,7 +367,7 @@ void follow_jaws(const Scene& scene, std::size_t instrument, const HapticSample&
   if (goal > closed) {
     // jaws that have let go open with the tissue that pushes them
     if (state.attach_pressed && jaws.held_load > kNoLoad) {
-      return let_go(tool, dt, kept < 1.0, state);
+      return let_go(scene.instruments[instrument], dt, kept < 1.0, state);
     }
     if (state.attach_pressed) {
       jaws.grip_limit = kOpening * tool.jaws->grip;

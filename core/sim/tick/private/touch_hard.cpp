@@ -109,7 +109,7 @@ bool has_room_at_hard(World& world, const Vec3& hand, const Tool& tool,
   });
 }
 
-void list_hard_surfaces(std::size_t instrument, std::size_t jaw, World& world,
+void list_hard_surfaces(const Scene& scene, std::size_t instrument, std::size_t jaw, World& world,
                         std::span<TouchedSurface> list) noexcept {
   TickBuffers& work = workspace(world);
   for (std::size_t h = 0; h < list.size(); ++h) {
@@ -117,7 +117,9 @@ void list_hard_surfaces(std::size_t instrument, std::size_t jaw, World& world,
     list[h] = {.candidates = &pair.candidates[jaw],
                .triangles = work.hard[h].tree.triangles(),
                .x = work.hard[h].x,
-               .load = &pair.load};
+               .load = &pair.load,
+               .friction_part =
+                   find_friction_part(scene.instruments[instrument], world.bodies.size() + h)};
   }
 }
 

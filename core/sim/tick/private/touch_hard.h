@@ -20,7 +20,7 @@ bool has_room_at_hard(World& world, const Vec3& hand, const Tool& tool,
                       const ToolState& state) noexcept;
 
 /// As this instrument touches them, with one of its jaws where it has some.
-void list_hard_surfaces(std::size_t instrument, std::size_t jaw, World& world,
+void list_hard_surfaces(const Scene& scene, std::size_t instrument, std::size_t jaw, World& world,
                         std::span<TouchedSurface> list) noexcept;
 
 }  // namespace palpate

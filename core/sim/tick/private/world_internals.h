@@ -346,6 +346,14 @@ inline bool is_wall(const TissueModel& tissue) noexcept {
          tissue.corotated.corners.empty() && tissue.neo_hookean.corners.empty();
 }
 
+/// [-] Coulomb's coefficient of an instrument with one of the scene's surfaces, counted as
+/// Instrument::pair_friction is, over its tool's own.
+inline double find_friction_part(const Instrument& instrument, std::size_t surface) noexcept {
+  const std::vector<double>& pairs = instrument.pair_friction;
+  const double own = instrument.tool.friction;
+  return pairs.empty() || own == 0.0 || pairs[surface] == own ? 1.0 : pairs[surface] / own;
+}
+
 /// What a tool feels a body by: capsules feel a wall by the hard law, for its near field is that of
 /// a ball.
 inline const NearField* find_near_field(const Tool& tool, const SoftBody& body) noexcept {

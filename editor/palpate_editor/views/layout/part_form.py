@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from palpate_editor.layout_changes import Words, write_three
 from palpate_editor.layout_shapes import Key, PartShape, find_degrees, key_of
-from palpate_editor.views.layout.number_grid import NumberGrid
+from palpate_editor.views.layout.number_grid import NumberGrid, TickedNumbers
 from palpate_editor.views.quantity_box import QuantityBox
 from palpate_editor.views.translations import tr
 
@@ -78,6 +78,14 @@ class PartForm(QWidget):
         self.numbers.add("friction", tr("Friction"), "")
         self.numbers.entered.connect(self._number)
         inner.addWidget(self.numbers)
+        self.tool_friction = TickedNumbers(
+            "tool_friction", tr("Instruments rub on it otherwise"), [("", 1.0)], (0.1,), self
+        )
+        self.tool_friction.setToolTip(
+            tr("Coulomb's coefficient. Otherwise that of the instrument, as on all else.")
+        )
+        self.tool_friction.entered.connect(self._rub)
+        inner.addWidget(self.tool_friction)
         self._build_snap(inner)
         self.remove = QPushButton(tr("Remove from the scene"), self)
         self.remove.setObjectName("remove_part")
@@ -141,6 +149,7 @@ class PartForm(QWidget):
         self.numbers.setVisible(not is_body)
         for name in self.numbers.boxes:
             self.numbers.show_value(name, getattr(part, name, None))
+        self.tool_friction.show_values(part.tool_friction)
         regions = regions_of(shapes, part)
         others = [
             f"{body.name}/{region}"
@@ -204,6 +213,11 @@ class PartForm(QWidget):
                 value = round(value)
             unit = "kg/m3" if name == "density" else ""
             self.wanted.emit(("place", self.part.name, f"--{name}={value:.9g}{unit}"))
+
+    def _rub(self, values: tuple[float, ...]) -> None:
+        if self.part is not None:
+            mu = f"{values[0]:.9g}" if values else "own"
+            self.wanted.emit(("place", self.part.name, f"--tool-friction={mu}"))
 
     def _snap(self) -> None:
         if self.part is not None and self.gap.shown is not None:
