@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 from palpate.files.whole_file import write_whole
-from palpate.render.instrument_meshes import DRAWN, MESHES
+from palpate.render.instrument_meshes import DRAWN
 from palpate_meshes.anatomy import ATTACHMENT, GENERATORS, find_regions, generate
 from palpate_meshes.build_scenes import SCENES, write_scene
 from palpate_meshes.catalogue import (
@@ -24,7 +24,7 @@ from palpate_meshes.catalogue import (
 )
 from palpate_meshes.gate import find_faults
 from palpate_meshes.generate import write_obj
-from palpate_meshes.tools import FOLDER, build_tools
+from palpate_meshes.tools import FOLDER, build_tools, ship_descriptions
 
 
 def main(words: list[str] | None = None) -> int:
@@ -81,6 +81,7 @@ def publish(names: list[str]) -> int:
             print(f"{entry.name}: {counts}, {cost:.0f} s")
     if not names:
         FOLDER.mkdir(exist_ok=True)
+        ship_descriptions()
         for tool, parts in build_tools().items():
             write_tool(tool, parts)
             print(f"{tool}: {', '.join(parts)}")
@@ -120,8 +121,8 @@ def write_tool(name: str, parts: dict[str, tuple[np.ndarray, np.ndarray]]) -> No
     for part, (vertices, triangles) in parts.items():
         path = FOLDER / f"{name}_{part}.obj"
         write_obj(path, vertices, triangles)
-        if name in MESHES:  # the player draws it, and has no other file of this folder
-            write_whole(DRAWN / path.name, path.read_bytes())
+        # the player draws it, and has no other file of this folder
+        write_whole(DRAWN / path.name, path.read_bytes())
         counts = f"vertices = {len(vertices)}, triangles = {len(triangles)}"
         rows.append(f'{part} = {{ {counts}, sha256 = "{hash_bytes(path.read_bytes())}" }}')
     lines = CATALOGUE.read_text(encoding="utf-8").split("\n")

@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from palpate.files.whole_file import write_whole
+from palpate.scene.instrument_kinds import DESCRIPTIONS as SHIPPED
 from palpate.scene.mesh_file import read_mesh_file
 from palpate_meshes.catalogue import PUBLISHED, freeze
 from palpate_meshes.generate.field import Array
@@ -125,7 +127,7 @@ class Tool:
 
 def read_tool(name: str) -> Tool:
     """A shipped instrument. Raises ValueError for another name, OSError where files are missing."""
-    tables = tomllib.loads(DESCRIPTIONS.read_text(encoding="utf-8"))
+    tables = read_tables()
     if name not in tables:
         raise ValueError(f"tool: got {name!r}, expected one of {', '.join(tables)}")
     table: dict[str, Any] = freeze(tables[name])
@@ -148,7 +150,18 @@ def read_tool(name: str) -> Tool:
 
 
 def read_tool_names() -> list[str]:
-    return list(tomllib.loads(DESCRIPTIONS.read_text(encoding="utf-8")))
+    """Those that have meshes."""
+    return list(read_tables())
+
+
+def read_tables() -> dict[str, Any]:
+    tables = tomllib.loads(DESCRIPTIONS.read_text(encoding="utf-8"))
+    return {name: table for name, table in tables.items() if "parts" in table}
+
+
+def ship_descriptions() -> None:
+    """Puts a copy beside the library, which reads no other file of this folder."""
+    write_whole(SHIPPED, DESCRIPTIONS.read_bytes())
 
 
 def open_jaws(tool: Tool, share: float) -> dict[str, Mesh]:

@@ -83,6 +83,9 @@ def test_a_wheel_of_palpate_holds_types_and_its_licence_and_nothing_of_the_edito
     names = wheel_names(".", tmp_path)
 
     assert {"palpate/__init__.py", "palpate/_sim.pyi", "palpate/py.typed"} <= names
+    instruments = (CHECKOUT / "bindings/palpate/render/instruments").glob("*.obj")
+    assert {f"palpate/render/instruments/{path.name}" for path in instruments} <= names
+    assert "palpate/scene/instruments.toml" in names
     assert "palpate-0.1.0.dist-info/licenses/LICENSES/BSD-3-Clause.txt" in names
     assert {name.split("/")[0] for name in names} == {"palpate", "palpate-0.1.0.dist-info"}
 

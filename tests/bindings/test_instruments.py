@@ -17,7 +17,12 @@ from palpate.error import FileError
 from palpate.files.refusal import Refusal
 from palpate.render import build_instrument, build_shade, draw_picture, place_instrument
 from palpate.render.instrument import find_rotation, name_look
+from palpate.render.instrument_meshes import MESHES as DRAWN
+from palpate.render.instrument_meshes import read_part
 from palpate.render.instrument_shade import find_glow, place_axes
+from palpate.scene.instrument_kinds import KINDS
+from palpate.scene.scene_file import build_tool
+from palpate.scene.scene_parts import ToolPart
 from surfaces import MEMBRANE, ellipsoid
 
 MESHES = Path(__file__).resolve().parents[2] / "meshes"
@@ -214,10 +219,9 @@ def test_the_example_of_two_holds(name):
 
 
 def test_an_instrument_is_drawn_as_what_of_it_touches():
-    wide, thin = palpate.Tool(radius=0.005), palpate.Tool(radius=0.0025)
-    for tool in (wide, thin):
-        tool.capsules = [palpate.Capsule(to=[0.0, 0.0, 0.02])]
-    assert [name_look(t) for t in (palpate.Tool(), thin, wide)] == ["ball", "probe", "laparoscope"]
+    for kind, usual in KINDS.items():
+        assert name_look(build_tool(ToolPart(**vars(usual)))) == kind
+    wide = palpate.Tool(radius=0.005, capsules=[palpate.Capsule(to=[0.0, 0.0, 0.02])])
     drawn = build_instrument(wide)
     assert drawn is not None
     x = drawn.parts[0].shape.vertices
@@ -225,6 +229,32 @@ def test_an_instrument_is_drawn_as_what_of_it_touches():
     assert np.abs(tip[:, :2]).max() == pytest.approx(0.005, abs=1e-5)
     # the lens is slanted: its foremost point stands out of the round end that touches
     assert -0.010 < x[:, 2].min() < -0.005
+
+
+def test_a_syringe_is_drawn_with_its_own_meshes_behind_a_needle_as_that_which_touches():
+    drawn = build_instrument(build_tool(ToolPart(**vars(KINDS["syringe"]))))
+    barrel, plunger = drawn.parts
+    for part, name in ((barrel, "syringe_barrel"), (plunger, "syringe_plunger")):
+        assert np.array_equal(part.shape.triangles, read_part(name).triangles)
+    assert (barrel.appearance.colour, plunger.appearance.colour) == tuple(
+        part.colour for part in DRAWN["syringe"].parts
+    )
+
+    fine = palpate.Tool(radius=0.0003, capsules=[palpate.Capsule(to=[0.0, 0.0, 0.025])])
+    for tool, x in (
+        (build_tool(ToolPart(**vars(KINDS["syringe"]))), barrel.shape.vertices),
+        (fine, build_instrument(fine).parts[0].shape.vertices),
+    ):
+        end = tool.capsules[0].to[2]
+        # its point stands out of the round end that touches
+        assert -0.001 < x[:, 2].min() < -tool.radius
+        needle = x[x[:, 2] < end + 1e-6]
+        assert needle[:, 2].max() == pytest.approx(end, abs=1e-6)
+        assert np.abs(needle[:, :2]).max() == pytest.approx(tool.radius, rel=1e-3)
+        behind = x[x[:, 2] > end + 0.019]
+        # 10 ml, whatever the needle
+        assert np.linalg.norm(behind[:, :2], axis=1).max() == pytest.approx(0.0135, rel=1e-3)
+        assert np.ptp(behind[:, 2]) == pytest.approx(0.081, abs=1e-4)
 
 
 def test_a_grasper_is_drawn_as_long_and_as_wide_as_its_jaws():

@@ -9,9 +9,20 @@ import pytest
 from palpate.render import DrawnInstrument, DrawnPart, place_instrument
 from palpate.render.instrument import METAL
 from palpate.render.instrument_meshes import DRAWN, MESHES, read_part
+from palpate.scene.instrument_kinds import DESCRIPTIONS as SHIPPED
+from palpate.scene.instrument_kinds import KINDS, InstrumentKind
+from palpate.scene.scene_file import build_tool
+from palpate.scene.scene_parts import ToolPart
 from palpate_editor.authoring import inspect_mesh
 from palpate_meshes.catalogue import hash_bytes, read_tool_catalogue
-from palpate_meshes.tools import FOLDER, build_tools, open_jaws, read_tool, read_tool_names
+from palpate_meshes.tools import (
+    DESCRIPTIONS,
+    FOLDER,
+    build_tools,
+    open_jaws,
+    read_tool,
+    read_tool_names,
+)
 
 TOOLS = read_tool_names()
 SHAFTS = {"grasper": 5e-3, "laparoscope": 10e-3, "syringe": 15.8e-3}
@@ -178,6 +189,35 @@ def test_what_there_is_not_is_refused():
         open_jaws(read_tool("grasper"), 1.5)
 
 
+def test_the_library_ships_the_description_of_the_instruments():
+    assert SHIPPED.read_bytes() == DESCRIPTIONS.read_bytes()
+
+
+def test_what_touches_follows_from_what_ships():
+    assert {
+        "ball": InstrumentKind(3e-3, 0.0, 0.0),
+        "probe": InstrumentKind(2.5e-3, 0.02, 0.1),
+        "laparoscope": InstrumentKind(5e-3, 0.02, 0.1),
+        "grasper": InstrumentKind(1.2e-3, 0.02, 0.5, 0.52),
+        "syringe": InstrumentKind(4e-4, 0.04, 0.1),
+    } == KINDS
+    grasper, jaw = KINDS["grasper"], read_tool("grasper").parts["upper_jaw"][0]
+    # closed jaws touch each other in the middle, and are as high as they are drawn
+    assert 2 * grasper.radius == pytest.approx(jaw[:, 1].max(), abs=1e-5)
+    jaws = build_tool(ToolPart(**vars(grasper))).jaws
+    assert jaws.hinge[2] == pytest.approx(-read_tool("grasper").jaws.hinge[2], abs=1.1e-4)
+    needle = read_tool("syringe").needle
+    assert (KINDS["syringe"].radius, KINDS["syringe"].length) == (needle.radius, needle.length)
+    assert KINDS["laparoscope"].radius == read_tool("laparoscope").shapes[0].radius
+
+
+def test_every_instrument_that_ships_is_drawn_as_itself():
+    assert list(MESHES) == TOOLS
+    assert {path.stem for path in DRAWN.glob("*.obj")} == {
+        path.stem for path in FOLDER.glob("*.obj")
+    }
+
+
 @pytest.mark.parametrize("name", list(MESHES))
 def test_what_is_drawn_of_an_instrument_is_what_ships(name):
     mesh, tool = MESHES[name], read_tool(name)
@@ -185,12 +225,15 @@ def test_what_is_drawn_of_an_instrument_is_what_ships(name):
     for part in mesh.parts:
         ships = (FOLDER / f"{part.name}.obj").read_bytes()
         assert (DRAWN / f"{part.name}.obj").read_bytes() == ships
-        if tool.jaws is not None:
-            assert part.turns == tool.jaws.turns.get(part.name.removeprefix(f"{name}_"), 0.0)
-    shaft = next(shape for shape in tool.shapes if shape.part == "shaft")
-    assert mesh.radius == shaft.radius
+        short = part.name.removeprefix(f"{name}_")
+        assert part.colour == tool.colours[short]
+        assert part.turns == (0.0 if tool.jaws is None else tool.jaws.turns.get(short, 0.0))
+    points = tool.parts["barrel" if tool.needle else "shaft"][0]
+    front = points[points[:, 2] > (-0.0401 if tool.needle else -0.3)]
+    assert mesh.radius == pytest.approx(np.abs(front[:, 0]).max(), rel=0.01)
     assert mesh.tip == -tool.shapes[0].a[2]
     assert mesh.hinge == (0.0 if tool.jaws is None else -tool.jaws.hinge[2])
+    assert mesh.needle == (0.0 if tool.needle is None else tool.needle.length)
 
 
 def test_drawn_jaws_open_as_those_that_ship():

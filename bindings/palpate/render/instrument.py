@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,10 @@ SHAFT_PART = 0.8
 """[-] Of the radius: what is drawn only is thinner than what touches."""
 WIDE = 3.2e-3
 """[m] A shaft of this radius or more is drawn as a laparoscope, a thinner one as a probe."""
+NEEDLE = 0.8e-3
+"""[m] A shaft of this radius or less, of 16 G, is drawn as a syringe's needle."""
+SAME = 1e-6
+"""[m] Vertices of a mesh are one where they are nearer than this."""
 INSULATED: Colour = (0.36, 0.39, 0.44)
 PORT: Colour = (0.30, 0.52, 0.66)
 # their shadow is that of InstrumentShade
@@ -49,11 +53,13 @@ class DrawnInstrument:
 
 
 def name_look(tool: palpate.Tool) -> str:
-    """What an instrument is drawn as, by what touches: ball, probe, laparoscope or grasper."""
+    """What an instrument is drawn as, by what touches: a kind of instrument."""
     if getattr(tool, "jaws", None):
         return "grasper"
     if not tool.capsules:
         return "ball"
+    if tool.radius <= NEEDLE:
+        return "syringe"
     return "laparoscope" if tool.radius >= WIDE else "probe"
 
 
@@ -75,24 +81,34 @@ def build_instrument(tool: palpate.Tool) -> DrawnInstrument | None:
 
 
 def fit_mesh(mesh: InstrumentMesh, tool: palpate.Tool) -> DrawnInstrument:
-    """A shipped mesh whose tip lies where the axis of the first capsule begins."""
+    """A shipped mesh whose tip lies where the axis of the first capsule begins; jaws and needles
+    are as long as those that touch, and what is behind them as it is."""
     jaws = getattr(tool, "jaws", None)
-    wide = tool.radius / (mesh.radius if jaws is None else mesh.jaw_radius)
     start = float(np.asarray(tool.capsules[0].from_)[2])
     hinge = 0.0 if jaws is None else float(np.asarray(jaws.hinge)[2])
     parts = []
     for part in mesh.parts:
         shape = read_part(part.name)
-        x = shape.vertices * np.float32([wide, wide, 1.0])
-        if jaws is None:
+        x = shape.vertices.copy()
+        if jaws is not None:
+            x[:, :2] *= np.float32(tool.radius / mesh.jaw_radius)
+            x[:, 2] = stretch_front(x[:, 2], mesh.hinge, hinge)
+        elif mesh.needle > 0.0:
+            end = float(np.asarray(tool.capsules[-1].to)[2])
+            x[x[:, 2] < mesh.needle + SAME, :2] *= np.float32(tool.radius / mesh.radius)
+            x[:, 2] = stretch_front(x[:, 2], mesh.needle, end - start + mesh.tip)
             x[:, 2] += np.float32(start - mesh.tip)
-        else:  # the jaws are as long as those that touch, and the shaft behind them as it is
-            before = x[:, 2] < mesh.hinge
-            scaled, moved = x[:, 2] * (hinge / mesh.hinge), x[:, 2] + (hinge - mesh.hinge)
-            x[:, 2] = np.where(before, scaled, moved)
-        look = DARK_SHAFT if part.dark else METAL
+        else:
+            x[:, :2] *= np.float32(tool.radius / mesh.radius)
+            x[:, 2] += np.float32(start - mesh.tip)
+        look = replace(METAL, colour=part.colour)
         parts.append(DrawnPart(Shape(x, shape.normals, shape.triangles), look, part.turns))
     return DrawnInstrument(tuple(parts), hinge)
+
+
+def stretch_front(z: NDArray[np.float32], front: float, wanted: float) -> NDArray[np.float32]:
+    """[m] Along the shaft: what is before `front` as long as `wanted`, the rest moved with it."""
+    return np.where(z < front, z * np.float32(wanted / front), z + np.float32(wanted - front))
 
 
 def build_trocar(trocar: ArrayLike, tip: ArrayLike, radius: float) -> Shape:

@@ -3,17 +3,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 import palpate
 from palpate.render.shapes import Shape, sharpen
+from palpate.render.theme import Colour
+from palpate.scene.instrument_kinds import KINDS, read_descriptions
 
 DRAWN = Path(__file__).with_name("instruments")
 """Copies of meshes/published/tools, which `./run meshes` writes."""
+Vector = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -21,57 +26,75 @@ class MeshPart:
     """A part of an instrument, its jaws closed."""
 
     name: str
+    colour: Colour
     turns: float = 0.0
     """[-] The sense in which it opens about the hinge's x: 1, -1, or 0 for what stays."""
-    dark: bool = False
-    """Whether it is insulated, as shafts are."""
 
 
 @dataclass(frozen=True)
 class Optics:
-    """Of a rigid laparoscope: 30 degrees off its shaft, in the frame of a tool, from the tip of the
-    mesh."""
+    """Of a rigid laparoscope, in the frame of a tool, from the tip of the mesh."""
 
-    at: tuple[float, float, float] = (0.0, 0.0, 2.9e-3)
+    at: Vector
     """[m] Of the lens."""
-    axis: tuple[float, float, float] = (0.0, 0.5, -0.8660254037844386)
-    up: tuple[float, float, float] = (0.0, -0.8660254037844386, -0.5)
+    axis: Vector
+    up: Vector
     """Unit vectors, where it looks and what it shows above."""
-    field_of_view: float = 1.22
+    field_of_view: float
     """[rad]"""
 
 
 @dataclass(frozen=True)
 class InstrumentMesh:
-    """What stands in `instruments`, and how it lies against what touches (meshes/tools.toml)."""
+    """What stands in `instruments`, and how it lies against what touches."""
 
     parts: tuple[MeshPart, ...]
     radius: float
-    """[m] Of its shaft."""
+    """[m] Of what is as wide as that which touches: its shaft or its needle."""
     tip: float
     """[m] From the tip of the mesh to the end of the axis of what touches first."""
     hinge: float = 0.0
-    """[m] From the tip of the mesh to the axis of its jaws."""
+    """[m] From the tip of the mesh to the axis of its jaws; 0: none."""
     jaw_radius: float = 0.0
     """[m] Of the capsules that stand for its jaws."""
+    needle: float = 0.0
+    """[m] How long it is; 0: none."""
     optics: Optics | None = None
 
 
-MESHES = {
-    "grasper": InstrumentMesh(
-        (
-            MeshPart("grasper_shaft", dark=True),
-            MeshPart("grasper_upper_jaw", -1.0),
-            MeshPart("grasper_lower_jaw", 1.0),
+def turn_round(vector: Vector) -> Vector:
+    """From the frame of a mesh, whose shaft goes along -z, into that of a tool."""
+    x, y, z = vector
+    return x, -y, -z
+
+
+def read_instrument(name: str, table: Mapping[str, Any]) -> InstrumentMesh:
+    """By its description (palpate.scene.instrument_kinds)."""
+    jaws, needle, camera = (table.get(key, {}) for key in ("jaws", "needle", "camera"))
+    turns, first = jaws.get("turns", {}), table["shapes"][0]
+    shaft = next((shape for shape in table["shapes"] if shape["part"] == "shaft"), first)
+    return InstrumentMesh(
+        parts=tuple(
+            MeshPart(f"{name}_{part}", tuple(table["colours"][part]), turns.get(part, 0.0))
+            for part in table["parts"]
         ),
-        radius=2.5e-3,
-        tip=0.8e-3,
-        hinge=22.5e-3,
-        jaw_radius=1.2e-3,
-    ),
-    "laparoscope": InstrumentMesh(
-        (MeshPart("laparoscope_shaft"),), radius=5e-3, tip=8.8e-3, optics=Optics()
-    ),
+        radius=shaft["radius"],
+        tip=-first["a"][2],
+        hinge=-jaws["hinge"][2] if jaws else 0.0,
+        jaw_radius=KINDS[name].radius if jaws else 0.0,
+        needle=needle.get("length", 0.0),
+        optics=Optics(
+            *(turn_round(camera[key]) for key in ("at", "axis", "up")), camera["field_of_view"]
+        )
+        if camera
+        else None,
+    )
+
+
+MESHES = {
+    name: read_instrument(name, table)
+    for name, table in read_descriptions().items()
+    if "parts" in table
 }
 
 

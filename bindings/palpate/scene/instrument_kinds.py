@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The usual numbers of instruments, as meshes/published/tools draws them."""
+"""The usual numbers of instruments, as the shipped description has them."""
 
 from __future__ import annotations
 
+import tomllib
+from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+DESCRIPTIONS = Path(__file__).with_name("instruments.toml")
+"""A copy of meshes/tools.toml, which `./run meshes` writes; says what each number follows from."""
 
 
 @dataclass(frozen=True)
@@ -15,16 +22,26 @@ class InstrumentKind:
     length: float
     """[m]"""
     friction: float
-    """[-] Smooth metal on wet serosa has 0.05 to 0.15, profiled jaws 0.3 to 0.8
-    (core/CONTACT.md)."""
+    """[-]"""
     jaw_opening: float = 0.0
     """[rad]"""
 
 
-KINDS = {
-    "ball": InstrumentKind(3e-3, 0.0, 0.0),
-    "probe": InstrumentKind(2.5e-3, 0.02, 0.1),
-    "laparoscope": InstrumentKind(5e-3, 0.02, 0.1),
-    "grasper": InstrumentKind(1.2e-3, 0.02, 0.5, 0.52),
-    "syringe": InstrumentKind(4e-4, 0.04, 0.1),
-}
+def read_descriptions() -> dict[str, dict[str, Any]]:
+    """All that is known of every instrument, in the frame of its mesh: tip at 0, shaft along -z."""
+    return tomllib.loads(DESCRIPTIONS.read_text(encoding="utf-8"))
+
+
+def read_kind(table: Mapping[str, Any]) -> InstrumentKind:
+    """What touches of a described instrument: as said, or as its needle, shaft and jaws are."""
+    said, needle = table["touches"], table.get("needle", {})
+    follows = {**table.get("shapes", [{}])[0], **needle, **said}
+    return InstrumentKind(
+        radius=follows["radius"],
+        length=follows["length"],
+        friction=said["friction"],
+        jaw_opening=table.get("jaws", {}).get("open", 0.0),
+    )
+
+
+KINDS = {name: read_kind(table) for name, table in read_descriptions().items()}
