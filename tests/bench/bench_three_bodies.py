@@ -49,8 +49,9 @@ def make_scene(jaws: bool, paired: bool) -> palpate.Scene:
 
 def measure(scene: palpate.Scene) -> np.ndarray:
     """[s] of every tick."""
-    device, end = write_hand(scene, find_place(scene, NEAR_GAP), 0, None)
-    samples = [device.read(tick / scene.rate) for tick in range(round(end * scene.rate))]
+    hand = write_hand(scene, find_place(scene, NEAR_GAP), 0, None)
+    device = palpate.ScriptedDevice(hand.frames)
+    samples = [device.read(tick / scene.rate) for tick in range(round(hand.end * scene.rate))]
     return time_least(RUNS, scene, samples)
 
 

@@ -9,12 +9,24 @@ from pathlib import Path
 import numpy as np
 import palpate
 import pytest
-from palpate.bench import bodies, chart, frames, lateness, meshes, rows, table1
+from palpate.bench import (
+    bodies,
+    chart,
+    frames,
+    lateness,
+    meshes,
+    part_costs,
+    part_goals,
+    rows,
+    table1,
+)
 from palpate.bench.frames import Frames
 from palpate.cli.bench import describe_bench
 from palpate.cli.main import main
 from palpate.study import models
 from palpate.study.reference import read_reference
+from stones import make_stone_scene
+from surfaces import organ_scene
 
 pytest.importorskip("palpate_meshes", reason="the shipped organs come with palpate-editor")
 
@@ -139,6 +151,59 @@ def test_of_a_scene_of_several_organs_the_parts_are_timed_and_no_surface(capsys)
     parts = [row["part"] for row in measured["parts"]]
     assert parts[:3] == ["whole tick", "body 0", "body 1"]
     assert parts[-1] == "body 1 on body 0"
+    # they touch where they begin
+    assert [goal["most_us"] for goal in measured["parts"][-1]["goals"]] == [100.0]
+
+
+def test_a_part_is_held_against_its_goal_and_no_goal_is_a_line(tmp_path, capsys):
+    scene = organ_scene(1)
+    tool = palpate.Tool(radius=3e-3, friction=0.2, capsules=[palpate.Capsule(to=(0, 0, 0.02))])
+    scene.instruments[0].tool = tool
+    scene.instruments[0].trocar = (0.0, 0.0, 0.2)
+    scene.bodies[0].tear_stretch = 3.0
+    path = tmp_path / "probe.palpate"
+    palpate.scenario.write(path, palpate.scenario.Scenario(scene=palpate.build_scene(scene)))
+
+    measured = part_costs.measure_part_costs(path)
+
+    most = {row["part"]: [goal["most_us"] for goal in row["goals"]] for row in measured["parts"]}
+    parts = ["whole tick", "body 0", "instrument 0, 1 capsules, friction 0.2"]
+    assert list(most) == [
+        *(*parts, "instrument 0 on body 0"),
+        *("friction of instrument 0", "trocar of instrument 0", "tear of body 0"),
+    ]
+    assert [most[part] for part in parts] == [[], [], []]
+    assert most["instrument 0 on body 0"] == [40.0]
+    assert most["trocar of instrument 0"] == [1.0] and most["tear of body 0"] == [2.0]
+    assert most["friction of instrument 0"][0] > 0.0
+    for row in measured["parts"]:
+        for goal in row["goals"]:
+            assert goal["met"] == (row["touching_us"] <= goal["most_us"])
+    lines = part_costs.describe_part_costs(measured)
+    assert lines[1].endswith("in touch   goal us      met")
+    assert lines[2].split()[-2:] == ["-", "-"]
+    assert lines[-1].endswith(f"begins with {measured['substeps'][0]}")
+    assert "at 12 substeps" in lines[-1] and json.dumps(measured)
+
+
+def test_goals_are_told_one_by_one():
+    jaws = palpate.Tool(jaws=palpate.Jaws())
+
+    assert part_goals.list_contact_goals(jaws) == (120.0, 65.0)
+    assert part_goals.list_contact_goals(palpate.Tool()) == ()
+    goals = part_goals.judge(80.0, 120.0, 65.0)
+    assert part_goals.describe_goals(goals).split() == ["120,", "65", "yes,", "no"]
+
+
+def test_stones_scenery_and_organs_have_goals_of_their_own(tmp_path):
+    path = tmp_path / "stone.palpate"
+    palpate.scenario.write(path, palpate.scenario.Scenario(scene=make_stone_scene()))
+
+    measured = part_costs.measure_part_costs(path)
+
+    most = {row["part"]: [goal["most_us"] for goal in row["goals"]] for row in measured["parts"]}
+    assert most["1 rigid"] == [10.0]
+    assert most["body 0 on scenery 0"] == [2.0]
 
 
 @pytest.mark.parametrize(
