@@ -45,8 +45,8 @@ def say_hovering(means: Means = PLAIN) -> Pairs:
         (translate("Viewport", "Right button"), say_taking(means)),
         (translate("Viewport", "Wheel"), translate("Viewport", "deeper or higher")),
         *say_jaws(means),
-        *say_turns(means),
         *say_hands(means),
+        *say_turns(means),
         (translate("Viewport", "Beside the organ"), translate("Viewport", "turn the view")),
     ]
 
@@ -109,12 +109,12 @@ def say_holding(means: Means = PLAIN) -> Pairs:
     ]
 
 
-MOST_LINES = 2
+MOST_LINES = 3
 
 
 class HintLine(QWidget):
-    """What buttons and wheel do; hidden where there is nothing to say, or no room for it in two
-    lines."""
+    """What buttons and wheel do, the first of it where there is no room for all; hidden where there
+    is nothing to say, or no room for any of it."""
 
     def __init__(self, parent: QWidget):
         super().__init__(parent)
@@ -137,9 +137,9 @@ class HintLine(QWidget):
             self._renew()
 
     def place(self, middle: float, bottom: float, room: float) -> None:
-        """Its foot at (middle, bottom) [px]; not shown where it is wider than the room [px]."""
+        """Its foot at (middle, bottom) [px]; as many pairs as have room [px], from the first on."""
         self._room = QPointF(middle, bottom), room
-        self._lines = self._break(room)
+        self._lines = self._choose(room)
         size = self.sizeHint()
         self.setGeometry(
             round(middle - size.width() / 2),
@@ -147,8 +147,7 @@ class HintLine(QWidget):
             size.width(),
             size.height(),
         )
-        fits = size.width() <= room and len(self._lines) <= MOST_LINES
-        self.setVisible(bool(self.pairs) and fits)
+        self.setVisible(bool(self.pairs) and size.width() <= room)
 
     def use_theme(self, theme: Theme) -> None:
         self.theme = theme
@@ -168,12 +167,25 @@ class HintLine(QWidget):
         )
         return wide + GAP * max(0, len(pairs) - 1)
 
-    def _break(self, room: float) -> list[Pairs]:
+    @property
+    def shown(self) -> Pairs:
+        """Of what is said, that for which there is room."""
+        return [pair for line in self._lines for pair in line]
+
+    def _choose(self, room: float) -> list[Pairs]:
+        """Lines of as many pairs as there is room [px] for."""
+        for count in range(len(self.pairs), 1, -1):
+            lines = self._break(self.pairs[:count], room)
+            if len(lines) <= MOST_LINES:
+                return lines
+        return [self.pairs[:1]]
+
+    def _break(self, pairs: Pairs, room: float) -> list[Pairs]:
         """Pairs in lines of about the same width, as few as there is room [px] for."""
-        count = max(1, math.ceil((self._measure(self.pairs) + 1) / max(1.0, room - 2 * PAD_X)))
-        least = self._measure(self.pairs) / count
+        count = max(1, math.ceil((self._measure(pairs) + 1) / max(1.0, room - 2 * PAD_X)))
+        least = self._measure(pairs) / count
         lines: list[Pairs] = [[]]
-        for pair in self.pairs:
+        for pair in pairs:
             full = lines[-1] and self._measure([*lines[-1], pair]) > room - 2 * PAD_X
             if full or (len(lines) < count and self._measure(lines[-1]) >= least):
                 lines.append([])
