@@ -28,6 +28,8 @@ GAP = 8
 """[px] between panels that must not touch."""
 LEAST_BANNER = 18.0
 """[-] width of a sentence, in heights of a letter."""
+SMALL = 0.85
+"""[-] height of the letters of numbers beside the picture, in heights of a letter."""
 SIDE = 9.4
 """[-] width of what stands on the right, in heights of a letter."""
 
@@ -110,6 +112,7 @@ class Overlays(QObject):
         # no wider than a letter: on a small screen the clock needs the room
         self.clock.rows.setContentsMargins(round(letter), 16, round(letter), 16)
         self.force.use_style(theme, letter)
+        self._view.hud.use_letter(SMALL * letter)
         self.place()
 
     def say(self) -> None:
@@ -193,7 +196,11 @@ class Overlays(QObject):
             banner.label.ensurePolished()
             text = banner.label.fontMetrics().horizontalAdvance(banner.sentence)
             wide = min(room, text + 4 * m)
-            self._put(banner, wide, left + EDGE + (room - wide) / 2, y)
+            x = left + EDGE + (room - wide) / 2
+            self._put(banner, wide, x, y)
+            hud = self._view.hud
+            if not hud.isHidden() and banner.geometry().intersects(hud.geometry()):
+                self._put(banner, wide, x, hud.geometry().bottom() + EDGE // 2)
             y = banner.geometry().bottom() + EDGE // 2
             banner.raise_()
 

@@ -8,8 +8,9 @@ import numpy as np
 import palpate
 from palpate.player.attendance import Attendance
 from palpate.player.host import Host
-from palpate.player.sentences import say_damped, say_forces, say_held, say_slow
+from palpate.player.sentences import name_jaws, say_damped, say_forces, say_held, say_slow
 from palpate.runs.live import Frame
+from palpate.runs.pinch import find_pinches
 from palpate.viewport import show_frame
 
 SLOW = 0.02
@@ -39,7 +40,7 @@ class RunView:
         view.force_scale = ARROW * view.scenery.radius / over.force.range
         view.show_force(frame.tool_position, frame.force)
         self.force = float(np.linalg.norm(frame.force))
-        view.hud.show_rows(say_forces(frame))
+        self._show_forces(frame)
         over.clock.show_time(frame.time)
         self.tell_steps(frame.task)
         self._attendance.take(frame)
@@ -49,6 +50,18 @@ class RunView:
             held = say_held(max(frame.safeguards))
             over.warning.tell(held or self._say_trouble(missed, self._count_damped(frame)))
             over.place()
+
+    def _show_forces(self, frame: Frame) -> None:
+        """Of each instrument, where there are several, and of what its jaws hold."""
+        drawn = self._window.play.drawn
+        pinches = find_pinches(frame, None if drawn is None else drawn.task)
+        several = len(frame.instruments) > 1
+        wrong = [name_jaws(index, several) for index, one in pinches.items() if one.is_wrong]
+        rows, hud = say_forces(frame, pinches), self._window.view.hud
+        more = len(rows) != len(hud.rows)
+        hud.show_rows(rows, wrong)
+        if more:  # banners stand below it
+            self._over.place()
 
     def show_last(self, frame: Frame) -> None:
         """The one with which it ended: what has moved since is seen no more."""

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QLocale
 
@@ -12,6 +14,8 @@ from palpate.command.verb import Report
 from palpate.runs.alarms import advise_hand, say_alarm, say_safeguard
 from palpate.runs.coupling import FELT_WITHIN
 from palpate.runs.live import Frame
+from palpate.runs.pinch import Pinch, tell_pinch
+from palpate.translation.numbers import say_digits
 from palpate.viewport.hint_line import PLAIN, Means, say_hands, say_jaws, say_taking, say_turns
 
 translate = QCoreApplication.translate
@@ -162,19 +166,30 @@ def say_keys() -> list[tuple[str, str]]:
     ]
 
 
-def say_forces(frame: Frame) -> list[tuple[str, str]]:
+def say_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, str]]:
     """The force on the hand of each of several instruments, where of one the force bar tells it;
-    and how much softer than it is a tissue is felt through a device that bears no more."""
+    how hard jaws press; and how much softer than it is a tissue is felt through a device that bears
+    no more."""
     name = translate("Player", "Instrument %1")
-    several = frame.instruments if len(frame.instruments) > 1 else ()
-    rows = [
-        (name.replace("%1", str(number)), f"{format_number(float(np.linalg.norm(one.force)), 2)} N")
-        for number, one in enumerate(several, start=1)
-    ]
+    several = len(frame.instruments) > 1
+    rows = []
+    for index, one in enumerate(frame.instruments):
+        if several:
+            force = format_number(float(np.linalg.norm(one.force)), 2)
+            rows.append((name.replace("%1", str(index + 1)), f"{force} N"))
+        if index in pinches:
+            rows.append((name_jaws(index, several), say_digits(tell_pinch(pinches[index]))))
     softer = max(one.stiffness_error for one in frame.instruments)
     if softer > FELT_WITHIN:
         rows.append((translate("Player", "Feels softer"), f"{format_number(100 * softer, 0)} %"))
     return rows
+
+
+def name_jaws(index: int, several: bool) -> str:
+    """Of which instrument they are, where there are several."""
+    if not several:
+        return translate("Player", "Jaws")
+    return translate("Player", "Jaws %1").replace("%1", str(index + 1))
 
 
 def format_number(value: float, decimals: int) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from PySide6.QtGui import QColor, QPalette
 
-from palpate.render.theme import THEMES, Colour
+from palpate.render.theme import DARK, LIGHT, THEMES, Colour
 
 
 @dataclass(frozen=True)
@@ -25,8 +25,8 @@ class Accents:
 
 
 ACCENTS = {
-    "dark": Accents((0.25, 0.78, 0.72), (0.98, 0.72, 0.25), (1.0, 0.38, 0.33), (0.03, 0.09, 0.09)),
-    "light": Accents((0.00, 0.48, 0.46), (0.72, 0.42, 0.0), (0.80, 0.13, 0.10), (1.0, 1.0, 1.0)),
+    "dark": Accents((0.25, 0.78, 0.72), (0.98, 0.72, 0.25), DARK.alarm, (0.03, 0.09, 0.09)),
+    "light": Accents((0.00, 0.48, 0.46), (0.72, 0.42, 0.0), LIGHT.alarm, (1.0, 1.0, 1.0)),
 }
 PANEL = 0.66
 """[-] opacity of a card over the picture."""

@@ -240,6 +240,7 @@ class TraineeWindow(QWidget):
         if run is None:
             return
         self.over.force.rest()
+        self.view.hud.show_rows(())
         self._watch = DeviceWatch()  # else it keeps the port of the device
         self.view.tool = None
         self.view.hint.say(None)

@@ -29,6 +29,8 @@ class Theme:
     """Text of less weight, frames."""
     panel: Colour
     """Behind text that must be read over anything."""
+    alarm: Colour
+    """Of what went wrong."""
     shadow: Colour
     shadow_strength: float
     """[-] of the shadow on the floor."""
@@ -42,6 +44,7 @@ DARK = Theme(
     text=(0.94, 0.95, 0.96),
     faint=(0.66, 0.69, 0.73),
     panel=(0.07, 0.08, 0.095),
+    alarm=(1.0, 0.38, 0.33),
     shadow=(0.02, 0.025, 0.035),
     shadow_strength=0.62,
     ambient=0.56,
@@ -52,6 +55,7 @@ LIGHT = Theme(
     text=(0.11, 0.13, 0.16),
     faint=(0.38, 0.42, 0.47),
     panel=(1.0, 1.0, 1.0),
+    alarm=(0.80, 0.13, 0.10),
     shadow=(0.30, 0.33, 0.40),
     shadow_strength=0.50,
     ambient=0.58,

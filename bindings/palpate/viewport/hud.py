@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QPoint, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent
@@ -13,6 +13,8 @@ from palpate.render.theme import DARK, Theme
 
 PAD, GAP = 14, 22
 """[px]"""
+LINE = 1.35
+"""[-] from a row to the next, in heights of a letter."""
 
 
 class Hud(QWidget):
@@ -24,6 +26,8 @@ class Hud(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.theme: Theme = DARK
         self.rows: tuple[tuple[str, str], ...] = ()
+        self.wrong: frozenset[str] = frozenset()
+        """Names of the rows whose number is beyond what it may be."""
         self._numbers = QFont(self.font())
         self._numbers.setWeight(QFont.Weight.DemiBold)
         self._widest = (0.0, 0.0)
@@ -35,20 +39,36 @@ class Hud(QWidget):
         self._corner = corner
         self.move(corner.x() - self.width(), corner.y())
 
-    def show_rows(self, rows: Sequence[tuple[str, str]]) -> None:
-        """Names and what stands beside them, unit included; none hides the widget."""
-        rows = tuple(rows)
-        if rows == self.rows:
+    def show_rows(self, rows: Sequence[tuple[str, str]], wrong: Iterable[str] = ()) -> None:
+        """Names and what stands beside them, unit included; none hides the widget. Those named in
+        `wrong` are marked."""
+        rows, wrong = tuple(rows), frozenset(wrong)
+        if (rows, wrong) == (self.rows, self.wrong):
             return
+        self.wrong = wrong
         names = tuple(name for name, _ in rows)
         if names != tuple(name for name, _ in self.rows):
             self._widest = (0.0, 0.0)
         self.rows = rows
         self.setVisible(bool(rows))
-        if rows:
+        self._fit()
+
+    def _fit(self) -> None:
+        """As large as its rows need."""
+        if self.rows:
             self.resize(self.sizeHint())
             self.place(self._corner)
             self.update()
+
+    def use_letter(self, height: float) -> None:
+        """Of its text [px]; as the window has it where nothing is said."""
+        font = QFont(self.font())
+        font.setPixelSize(max(9, round(height)))
+        self.setFont(font)
+        self._numbers = QFont(font)
+        self._numbers.setWeight(QFont.Weight.DemiBold)
+        self._widest = (0.0, 0.0)
+        self._fit()
 
     def use_theme(self, theme: Theme) -> None:
         self.theme = theme
@@ -61,7 +81,8 @@ class Hud(QWidget):
         # only ever wider, or the panel would tremble with its digits
         self._widest = (max(left, self._widest[0]), max(right, self._widest[1]))
         width = sum(self._widest) + GAP + 2 * PAD
-        return QSize(round(width), round(1.35 * numbers.height() * len(self.rows) + 2 * PAD))
+        lines = LINE * (len(self.rows) - 1) + 1.0
+        return QSize(round(width), round(lines * numbers.height() + 2 * PAD))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -77,9 +98,10 @@ class Hud(QWidget):
             painter.setPen(QColor.fromRgbF(*self.theme.faint))
             painter.drawText(QPointF(PAD, y), name)
             painter.setFont(self._numbers)
-            painter.setPen(QColor.fromRgbF(*self.theme.text))
+            colour = self.theme.alarm if name in self.wrong else self.theme.text
+            painter.setPen(QColor.fromRgbF(*colour))
             painter.drawText(
                 QPointF(self.width() - PAD - letters.horizontalAdvance(number), y), number
             )
-            y += 1.35 * letters.height()
+            y += LINE * letters.height()
         painter.end()

@@ -1085,6 +1085,14 @@
         <translation>Kuvvet {number}</translation>
     </message>
     <message>
+        <source>Jaws</source>
+        <translation>Çeneler</translation>
+    </message>
+    <message>
+        <source>Jaws {number}</source>
+        <translation>Çeneler {number}</translation>
+    </message>
+    <message>
         <source>&amp;Wireframe</source>
         <translation>Tel &amp;kafes</translation>
     </message>

@@ -7,13 +7,14 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from palpate.runs.pinch import Pinch
 from palpate.runs.press import PressScript
 from palpate_editor.brush import build_neighbours
 from palpate_editor.views.touch import ForcePlot, LiveCosts
 from palpate_editor.views.touch.force_trace import ForceTrace, write_csv
 from palpate_editor.views.touch.press_form import write_command
 from palpate_editor.views.touch.stroke import FixStroke, SmoothStroke, StiffnessStroke
-from palpate_editor.views.touch.trial import round_up
+from palpate_editor.views.touch.trial import name_forces, round_up
 
 pytestmark = [pytest.mark.window, pytest.mark.landing]
 
@@ -195,3 +196,16 @@ def test_the_command_line_says_all_that_differs_from_a_plain_press():
     assert " ".join(plain) == "palpate press a.palpate --depth 6mm --speed 30mm/s --hold 300ms"
     full = write_command("a.palpate", PressScript(6e-3, 4e-3), np.array([0.01, -0.02, 0.0]))
     assert full[-1] == "--at=10.000,-20.000,0.000" and "4mm" in full
+
+
+def test_jaws_that_press_have_a_row_beside_the_force_of_their_instrument():
+    one, other = (SimpleNamespace(force=np.array([0.0, 0.0, size])) for size in (3.0, 1.5))
+    pinch = Pinch(6.24, 168e3)
+
+    assert name_forces(SimpleNamespace(instruments=(one,)), {}) == [("Force", "3.00 N")]
+    assert name_forces(SimpleNamespace(instruments=(one,)), {0: pinch}) == [
+        ("Force", "3.00 N"),
+        ("Jaws", "6.2 N, 168 kPa > 150"),
+    ]
+    two = name_forces(SimpleNamespace(instruments=(one, other)), {1: pinch})
+    assert [name for name, _ in two] == ["Force 1", "Force 2", "Jaws 2"]

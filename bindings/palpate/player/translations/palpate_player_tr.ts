@@ -388,6 +388,14 @@
         <translation>Alet %1</translation>
     </message>
     <message>
+        <source>Jaws</source>
+        <translation>Çeneler</translation>
+    </message>
+    <message>
+        <source>Jaws %1</source>
+        <translation>Çeneler %1</translation>
+    </message>
+    <message>
         <source>full screen</source>
         <translation>tam ekran</translation>
     </message>

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +12,7 @@ from palpate.runs.alarms import advise_design, say_alarm, say_element
 from palpate.runs.cause import Cause
 from palpate.runs.element import Element
 from palpate.runs.live import Frame, LiveRun
+from palpate.runs.pinch import Pinch, find_pinches, tell_pinch
 from palpate.scene.surfaces import join_torn
 from palpate.translation.numbers import say_digits
 from palpate.viewport import View, see_instruments
@@ -126,14 +127,17 @@ class Trial(QObject):
         size = float(np.linalg.norm(frame.force))
         self._show_force(frame, size)
         share = frame.cost * self.scene.rate
+        pinches = find_pinches(frame)
+        several = len(frame.instruments) > 1
         rows = [
-            *name_forces(frame),
+            *name_forces(frame, pinches),
             (tr("Time"), say_digits(f"{frame.time:.1f} s")),
             (tr("Tick"), f"{100 * share:.0f} %"),
         ]
         if (held := name_safeguard(max(frame.safeguards))) is not None:
             rows.append((tr("Safeguard"), held))
-        self.view.hud.show_rows(rows)
+        wrong = [name_jaws(index, several) for index, one in pinches.items() if one.is_wrong]
+        self.view.hud.show_rows(rows, wrong)
 
     def _show_force(self, frame: Frame, size: float) -> None:
         """The arrow begins at the tip's skin, not inside it, and stays in sight."""
@@ -147,15 +151,21 @@ class Trial(QObject):
         )
 
 
-def name_forces(frame: Frame) -> list[tuple[str, str]]:
-    """The force on the hand of each instrument."""
-    sizes = [float(np.linalg.norm(one.force)) for one in frame.instruments]
-    if len(sizes) == 1:
-        return [(tr("Force"), say_digits(f"{sizes[0]:.2f} N"))]
-    return [
-        (fill(tr("Force {number}"), number=number), say_digits(f"{size:.2f} N"))
-        for number, size in enumerate(sizes, start=1)
-    ]
+def name_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, str]]:
+    """The force on the hand of each instrument, and how hard its jaws press."""
+    several = len(frame.instruments) > 1
+    rows = []
+    for index, one in enumerate(frame.instruments):
+        name = fill(tr("Force {number}"), number=index + 1) if several else tr("Force")
+        rows.append((name, say_digits(f"{float(np.linalg.norm(one.force)):.2f} N")))
+        if index in pinches:
+            rows.append((name_jaws(index, several), say_digits(tell_pinch(pinches[index]))))
+    return rows
+
+
+def name_jaws(index: int, several: bool) -> str:
+    """Of which instrument they are, where there are several."""
+    return fill(tr("Jaws {number}"), number=index + 1) if several else tr("Jaws")
 
 
 def name_safeguard(safeguard: palpate.Safeguard) -> str | None:

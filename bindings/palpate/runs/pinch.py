@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How hard jaws press on what is between them, for those who watch a run. Knows no Qt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import palpate
+from palpate.assessment.author import LIMIT_BOUNDS
+from palpate.runs.live import Frame
+
+HARMFUL = LIMIT_BOUNDS["pad_pressure"]
+"""[Pa] on a pad above which tissue is taken to be harmed, where no task says otherwise. Estimated:
+pinches of 15 to 37 N harmed bowel, some 100 to 200 kPa [Heijnsdijk04]."""
+LEAST_PINCH = 0.05
+"""[N] Jaws that press less hold nothing, as far as is told."""
+
+
+@dataclass(frozen=True)
+class Pinch:
+    """Of the jaws of one instrument."""
+
+    force: float
+    """[N] of each jaw."""
+    pressure: float
+    """[Pa] on what is touched of a pad."""
+    bound: float = HARMFUL
+    """[Pa] above which it is wrong."""
+
+    @property
+    def is_wrong(self) -> bool:
+        return self.pressure > self.bound
+
+
+def find_pinches(frame: Frame, task: palpate.Task | None = None) -> dict[int, Pinch]:
+    """Of the instruments whose jaws press on something, by their index; a task may bear less, or
+    more, than HARMFUL."""
+    return {
+        index: Pinch(one.pinch, one.pad_pressure, find_bound(task, index))
+        for index, one in enumerate(frame.instruments)
+        if one.pinch >= LEAST_PINCH
+    }
+
+
+def find_bound(task: palpate.Task | None, instrument: int) -> float:
+    """[Pa] The least that a task calls wrong of an instrument's jaws."""
+    bounds = [
+        limit.bound
+        for limit in ([] if task is None else task.limits)
+        if limit.measure is palpate.TaskMeasure.pad_pressure
+        and limit.above
+        and limit.instrument == instrument
+    ]
+    return min(bounds, default=HARMFUL)
+
+
+def tell_pinch(pinch: Pinch) -> str:
+    """Force and pressure; where that is wrong, beyond what it is."""
+    told = f"{pinch.force:.1f} N, {1e-3 * pinch.pressure:.0f} kPa"
+    return f"{told} > {1e-3 * pinch.bound:.0f}" if pinch.is_wrong else told
