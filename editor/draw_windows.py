@@ -2,7 +2,7 @@
 """The pictures of the editor, its window of scenes and the trainee's window.
 
 export QT_QPA_PLATFORM=offscreen
-.venv/bin/python editor/draw_windows.py editor/pictures
+.venv/bin/python editor/draw_windows.py editor/pictures [editor] [scene] [player]
 """
 
 from __future__ import annotations
@@ -14,10 +14,11 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 from palpate import scenario
+from palpate.assessment.publish import read_assessment, with_assessment
 from palpate.player.trainee_window import TraineeWindow
-from palpate.runs.play import TAIL, Play
-from palpate.runs.press import PressScript, find_top, write_script
+from palpate.runs.play import Play, open_play
 from palpate.viewport.application import open_application
 from palpate_editor.app.settings import Settings
 from palpate_editor.views.editor import Editor
@@ -35,8 +36,10 @@ PATIENCE = 60.0
 """[s]"""
 DEEPEST = 0.5
 """[s] after which the press that the panel proposes is held at its depth."""
-DEPTH = 6e-3
-"""[m] of the player's press."""
+PULLED = 0.4
+"""[-] of the way that the player's grasper draws the fundus out."""
+LOOK, ZOOM, PAN = (0.6, 0.1), 0.78, (-150.0, -110.0)
+"""[rad] azimuth and elevation, [-] and [px], so that the trocar is in sight."""
 
 
 def wait(app: QApplication, done: Callable[[], bool]) -> None:
@@ -116,29 +119,46 @@ def draw_scene(app: QApplication, out: Path, folder: Path) -> None:
 
 
 def draw_player(app: QApplication, out: Path, folder: Path) -> None:
-    """A gallbladder, with the tool at its deepest."""
-    path = PUBLISHED / "gallbladder.palpate"
-    made = scenario.read(str(path))
-    script = PressScript(DEPTH, hold=PATIENCE)
-    frames, times = write_script(
-        find_top(made.scene), made.scene.instruments[0].tool.radius, script
-    )
-    play = Play(path, made, frames, duration=times.end + TAIL, record=folder / "played.prec")
+    """A grasper that draws the fundus of a gallbladder out, as the careful hand does."""
+    path = write_task("gallbladder", "gallbladder_grasp", folder)
+    play = open_play(path, "script:careful", record=folder / "played.prec")
+    half = find_pulled(play)
     window = TraineeWindow(play, "dark", "en")
     window.resize(*PLAYER_SIZE)
     window.show()
+    window.view.look_from(*LOOK)
+    window.view.zoom(ZOOM)
+    window.view.pan(*PAN)
     window.restart()
-    wait(app, lambda: window.over.force.peak > 0.05)
-    live(app, 0.3)
+    wait(app, lambda: window.shown.time > half)
+    window.over.warning.tell("")  # how busy this machine is
     save(window, out)
     window.close()
 
+
+def write_task(organ: str, task: str, folder: Path) -> Path:
+    """A scenario that ships, published."""
+    path, out = MESHES / "scenarios" / f"{task}.json", folder / f"{task}.palpate"
+    made = scenario.read(str(PUBLISHED / f"{organ}.palpate"))
+    scenario.write(str(out), with_assessment(path, read_assessment(path), made))
+    return out
+
+
+def find_pulled(play: Play) -> float:
+    """[s] when the simulated hand has drawn what it holds so far out."""
+    samples = play.play_hand()[0]
+    held = [sample for sample in samples if sample.buttons]
+    at = np.array([sample.position for sample in held])
+    way = np.linalg.norm(at - at[0], axis=1)
+    return float(held[int(np.argmax(way > PULLED * way.max()))].time)
+
+
+DRAWN = {"editor": draw_editor, "scene": draw_scene, "player": draw_player}
 
 if __name__ == "__main__":
     target = Path(sys.argv[1])
     target.mkdir(parents=True, exist_ok=True)
     application, _ = open_application("en")
-    with tempfile.TemporaryDirectory() as made_here:
-        draw_editor(application, target / "editor.png", Path(made_here))
-        draw_scene(application, target / "scene.png", Path(made_here))
-        draw_player(application, target / "player.png", Path(made_here))
+    for name in sys.argv[2:] or DRAWN:
+        with tempfile.TemporaryDirectory() as made_here:
+            DRAWN[name](application, target / f"{name}.png", Path(made_here))
