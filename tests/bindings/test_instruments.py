@@ -13,6 +13,7 @@ import palpate
 import pytest
 from palpate import scenario
 from palpate.assessment.publish import read_assessment, with_assessment
+from palpate.assessment.selfplay import attempt
 from palpate.error import FileError
 from palpate.files.refusal import Refusal
 from palpate.render import build_instrument, build_shade, draw_picture, place_instrument
@@ -206,6 +207,34 @@ def test_an_assessment_says_the_shape_of_its_tools():
     wrong["tools"]["probe"]["length_m"] = 0.9
     with pytest.raises(Refusal, match="tools.probe"):
         with_assessment(path, wrong, organ)
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_the_probe_on_the_spleen_is_drawn_along_it_and_its_friction_is_felt(seed):
+    organ = scenario.read(MESHES / "published" / "spleen.palpate")
+    path = SCENARIOS / "spleen_probe.json"
+    made = with_assessment(path, read_assessment(path), organ)
+    drawn = scenario.draw_task(made, "normal", seed)
+    assert drawn.places[drawn.task.steps[0].place] == ("upper", "lower")[seed]
+    played = attempt(made.scene, drawn, "careful")
+    assert played.state.outcome is palpate.Outcome.done and played.state.errors == 0
+    step = played.state.steps[drawn.steps.index("draw")]
+
+    smooth = copy.copy(made.scene)
+    smooth.instruments[0].tool = copy.copy(smooth.instruments[0].tool)
+    smooth.instruments[0].tool.friction = 0.0
+    (samples,), dragged, pressed = played.samples, [], []
+    worlds = [(each, palpate.World(each)) for each in (made.scene, palpate.build_scene(smooth))]
+    for tick, sample in enumerate(samples):
+        forces = [palpate.tick(scene, sample, 1e-3, world).force for scene, world in worlds]
+        if step.from_tick + 500 <= tick < step.until_tick:
+            ahead = np.subtract(samples[tick].position, samples[tick - 100].position)
+            ahead /= np.linalg.norm(ahead)
+            dragged.append([-np.dot(force, ahead) for force in forces])
+            pressed.append(np.linalg.norm(forces[1]))
+
+    with_it, without = np.mean(dragged, axis=0)
+    assert with_it - without == pytest.approx(0.1 * np.mean(pressed), rel=0.3)
 
 
 @pytest.mark.parametrize(

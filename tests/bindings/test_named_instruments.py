@@ -32,8 +32,10 @@ GRASPER |= {"jaw_opening_rad": 0.4, "grip_force_N": 6.0, "trocar_height_m": 0.1}
 
 
 def name_two(change: dict | None = None) -> dict:
-    """A probe, and a grasper 50 mm beside it."""
+    """A probe over the organ, and a grasper 50 mm beside it."""
     said = copy.deepcopy(read_assessment(PROBE))
+    del said["tools"]["probe"]["trocar_m"]
+    said["tools"]["probe"]["trocar_height_m"] = 0.12
     said["tools"] = {
         "probe": {**said["tools"]["probe"], "instrument": 0},
         "grasper": {**GRASPER, "trocar_side_m": 0.05, "instrument": 1, **(change or {})},
@@ -168,7 +170,7 @@ def test_a_hand_moves_its_own_instrument_and_the_other_waits_beside(two):
         for hand in (first, second):
             hand.move(tick * 1e-3, 1e-3, np.zeros(3), state)
     assert np.linalg.norm(np.asarray(begun) - second.position) < 1e-3  # it trembles
-    assert first.mine == [0, 1] and second.mine == []
+    assert first.mine == [0, 1, 2] and second.mine == []
     again = make_hands("careful", two.scene, drawn.task, 0)[0]
     assert again.skill == first.skill != second.skill
 
