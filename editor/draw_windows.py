@@ -36,7 +36,7 @@ PATIENCE = 60.0
 """[s]"""
 DEEPEST = 0.5
 """[s] after which the press that the panel proposes is held at its depth."""
-PULLED = 0.4
+PULLED = 0.38
 """[-] of the way that the player's grasper draws the fundus out."""
 LOOK, ZOOM, PAN = (0.6, 0.1), 0.78, (-150.0, -110.0)
 """[rad] azimuth and elevation, [-] and [px], so that the trocar is in sight."""
