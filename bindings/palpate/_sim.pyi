@@ -2195,6 +2195,9 @@ class ToolState:
         read-only.
         """
     @property
+    def turn_limited(self) -> bool:
+        """Tissue keeps it from turning as its hand does, in this tick."""
+    @property
     def anchor_count(self) -> int:
         """How many of them there are."""
     @property
@@ -2215,6 +2218,7 @@ class ToolState:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
         object,
         object,
         object,
@@ -3307,6 +3311,7 @@ class Instrument:
         coupling: Coupling = ...,
         hold_stiffness: float = ...,
         trocar: ArrayLike | None = ...,
+        pair_friction: Sequence[float] = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     tool: Tool
@@ -3323,11 +3328,19 @@ class Instrument:
         """
     @trocar.setter
     def trocar(self, value: ArrayLike | None) -> None: ...
+    @property
+    def pair_friction(self) -> list[float]:
+        """[-] Coulomb's coefficient of the tool with each surface of the scene: bodies, then
+        scenery, then rigid bodies, in place of tool.friction; empty: that with all. Where
+        that is 0, nothing rubs. Assign the whole list.
+        """
+    @pair_friction.setter
+    def pair_friction(self, value: Sequence[float]) -> None: ...
     def __copy__(self) -> Instrument:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> Instrument:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""
@@ -6217,6 +6230,9 @@ class InstrumentSnapshot:
     def pad_pressure(self) -> float:
         """[Pa] of that."""
     @property
+    def turn_limited(self) -> bool:
+        """Tissue keeps it from turning as its hand does."""
+    @property
     def motors(self) -> MotorState:
         """Of the device."""
     @property
@@ -6239,6 +6255,7 @@ class InstrumentSnapshot:
     def __getstate__(
         self, /
     ) -> tuple[
+        object,
         object,
         object,
         object,

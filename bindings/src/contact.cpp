@@ -91,7 +91,10 @@ void def_jaw_state(py::class_<ToolState>& state) {
       "Where tissue sticks to the jaws, all there is room for: a structured array of "
       "shape (anchor_capacity,) (triangle, body, jaw, weights, place, pressed, stiffness); a view, "
       "read-only.");
-  state.def_readonly("anchor_count", &ToolState::anchor_count, "How many of them there are.")
+  state
+      .def_readonly("turn_limited", &ToolState::turn_limited,
+                    "Tissue keeps it from turning as its hand does, in this tick.")
+      .def_readonly("anchor_count", &ToolState::anchor_count, "How many of them there are.")
       .def_readonly("held_load", &ToolState::held_load,
                     "[N] that they carry, each whatever its direction.")
       .def_readonly("pinches", &ToolState::pinches, "Tissue sticks to both jaws.")
@@ -201,7 +204,7 @@ void bind_tool(py::module_& m) {
             &ToolState::jaw_angle, &ToolState::jaw_wanted, &ToolState::grip_limit,
             &ToolState::pinch, &ToolState::pad_pressure, &ToolState::carried, &ToolState::anchors,
             &ToolState::anchor_count, &ToolState::held_load, &ToolState::pinches,
-            &ToolState::felt_change, &ToolState::felt_before);
+            &ToolState::felt_change, &ToolState::felt_before, &ToolState::turn_limited);
   def_repr(state, {"position", "placed", "touching", "hold_count", "residual"});
 
   const Coupling spring;

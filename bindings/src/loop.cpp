@@ -97,6 +97,8 @@ void bind_snapshot(py::module_& m) {
                     "[rad] by which each of its jaws is open.")
       .def_readonly("pinch", &InstrumentSnapshot::pinch, "[N] that each of them presses with.")
       .def_readonly("pad_pressure", &InstrumentSnapshot::pad_pressure, "[Pa] of that.")
+      .def_readonly("turn_limited", &InstrumentSnapshot::turn_limited,
+                    "Tissue keeps it from turning as its hand does.")
       .def_readonly("motors", &InstrumentSnapshot::motors, "Of the device.")
       .def_readonly("interventions", &InstrumentSnapshot::interventions,
                     "Of the device's passivity controller, so far.")
@@ -109,8 +111,9 @@ void bind_snapshot(py::module_& m) {
             &InstrumentSnapshot::tool_orientation, &InstrumentSnapshot::force,
             &InstrumentSnapshot::touching, &InstrumentSnapshot::jaw_angle,
             &InstrumentSnapshot::pinch, &InstrumentSnapshot::pad_pressure,
-            &InstrumentSnapshot::carried, &InstrumentSnapshot::motors,
-            &InstrumentSnapshot::interventions, &InstrumentSnapshot::stiffness_error);
+            &InstrumentSnapshot::carried, &InstrumentSnapshot::turn_limited,
+            &InstrumentSnapshot::motors, &InstrumentSnapshot::interventions,
+            &InstrumentSnapshot::stiffness_error);
   def_repr(instrument, {"touching", "force", "tool_position", "motors", "interventions"});
 
   py::class_<Snapshot> snapshot(

@@ -187,14 +187,14 @@ void bind_instrument(py::module_& m) {
   const Instrument usual;
   py::class_<Instrument> instrument(m, "Instrument",
                                     "A tool, and how the hand that moves it is coupled to it.");
-  instrument.def(py::init([](const Tool& tool, const Coupling& coupling, double hold_stiffness,
-                             const std::optional<Vec3>& trocar,
-                             const std::vector<double>& pair_friction) {
-                   return Instrument{tool, coupling, hold_stiffness, trocar, pair_friction};
-                 }),
-                 py::kw_only(), "tool"_a = usual.tool, "coupling"_a = usual.coupling,
-                 "hold_stiffness"_a = usual.hold_stiffness, "trocar"_a = py::none(),
-                 "pair_friction"_a = usual.pair_friction);
+  instrument.def(
+      py::init([](const Tool& tool, const Coupling& coupling, double hold_stiffness,
+                  const std::optional<Vec3>& trocar, const std::vector<double>& pair_friction) {
+        return Instrument{tool, coupling, hold_stiffness, trocar, pair_friction};
+      }),
+      py::kw_only(), "tool"_a = usual.tool, "coupling"_a = usual.coupling,
+      "hold_stiffness"_a = usual.hold_stiffness, "trocar"_a = py::none(),
+      "pair_friction"_a = usual.pair_friction);
   instrument.def_readwrite("tool", &Instrument::tool, "The tip.")
       .def_readwrite("coupling", &Instrument::coupling, "The hand's spring.")
       .def_readwrite("hold_stiffness", &Instrument::hold_stiffness,

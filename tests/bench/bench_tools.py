@@ -6,7 +6,7 @@
 Every tick is the same each time it is run: the least of its times [us], on the thread's processor,
 is what it takes; all instruments have their turn in each round, and point straight down. Medians
 and 99th percentiles are of the quarter of a second in which a hand holds still at the depth, jaws
-closed on what they have.
+closed on what they have. The shaft that lies goes along the tangent with its middle at the place.
 """
 
 from __future__ import annotations
@@ -18,8 +18,10 @@ from pathlib import Path
 
 import numpy as np
 import palpate
+from numpy.typing import NDArray
 from palpate.assessment.instruments import shape_tool
 from palpate.runs.press import find_top
+from scipy.spatial.transform import Rotation
 from tick_times import time_ticks
 
 TOOLS: dict[str, dict[str, object]] = {
@@ -28,6 +30,7 @@ TOOLS: dict[str, dict[str, object]] = {
     "ball, friction 0.3": {"kind": "ball", "radius_m": 0.003, "friction": 0.3},
     "probe of 20 mm": {"kind": "laparoscope", "radius_m": 0.003, "length_m": 0.02, "friction": 0.0},
     "shaft of 100 mm": {"kind": "laparoscope", "radius_m": 0.003, "length_m": 0.1, "friction": 0.0},
+    "shaft that lies": {"kind": "laparoscope", "radius_m": 0.003, "length_m": 0.1, "friction": 0.0},
     "grasper": {
         **{"kind": "grasper", "radius_m": 0.0012, "length_m": 0.02},
         **{"friction": 0.5, "jaw_opening_rad": 0.52},
@@ -50,10 +53,12 @@ def list_samples(scene: palpate.Scene, tool: str) -> list[palpate.HapticSample]:
     place = find_top(scene)
     outward = np.asarray(place.outward)
     away = 0.05 if tool == "in the air" else 0.0
+    turn, middle = lay_down(outward) if tool == "shaft that lies" else ((0.0, 0.0, 0.0, 1.0), 0.0)
     frames = [
         palpate.KeyFrame(
             moment,
-            place.point + ((-DEPTH if height is None else height) + away) * outward,
+            place.point + middle + ((-DEPTH if height is None else height) + away) * outward,
+            orientation=turn,
             buttons=button if tool == "grasper" else 0,
         )
         for moment, height, button in FRAMES
@@ -62,6 +67,14 @@ def list_samples(scene: palpate.Scene, tool: str) -> list[palpate.HapticSample]:
     for tick in range(HELD.stop):
         samples.append(device.read(tick / scene.rate))
     return samples
+
+
+def lay_down(outward: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """[-] (4,) A shaft's orientation across `outward`, and [m] (3,) from its middle to its tip."""
+    aside = np.eye(3)[np.argmin(np.abs(outward))]
+    along = np.cross(outward, aside) / np.linalg.norm(np.cross(outward, aside))
+    turn, _ = Rotation.align_vectors(along[None], [[0.0, 0.0, 1.0]])
+    return turn.as_quat(), -0.05 * along
 
 
 def main() -> int:

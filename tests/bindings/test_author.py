@@ -72,7 +72,7 @@ def test_a_task_watches_the_jaws_of_a_grasper_and_whether_tissue_has_torn():
     for measure in OF_GRASPERS:
         new, _ = author.add_limit(new, measure)
     assert [limit["when"] for limit in new["limits"][-2:]] == [
-        {"measure": "pad_pressure", "above": 150e3},
+        {"measure": "pad_pressure", "above": 330e3},
         {"measure": "torn"},
     ]
 

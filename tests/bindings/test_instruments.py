@@ -322,3 +322,20 @@ def test_the_shade_of_an_instrument_is_of_its_tip_and_its_shaft():
     assert shade.from_ == pytest.approx(np.array([[0, 0, 0.1], [0.02, 0, 0.1]]), abs=1e-7)
     assert shade.to == pytest.approx(np.array([[0.02, 0, 0.1], [0.25, 0, 0.1]]), abs=1e-7)
     assert find_glow(False, 9.0) == 0.0 < shade.glow < find_glow(True, 5.0) == 1.0
+
+
+def test_a_file_keeps_the_coefficient_of_each_pair(tmp_path):
+    scene = probe_scene()
+    instrument = scene.instruments[0]
+    instrument.tool.friction = 0.3
+    instrument.pair_friction = [0.0625]
+    built = palpate.build_scene(scene)
+    assert built.instruments[0].pair_friction == [0.0625]
+    assert pickle.loads(pickle.dumps(instrument)) == instrument
+    palpate.scenario.write(tmp_path / "pair.palpate", palpate.scenario.Scenario(scene=built))
+    read = palpate.scenario.read(tmp_path / "pair.palpate").scene.instruments[0]
+    assert read.pair_friction == [0.0625]
+
+    instrument.pair_friction = [0.1, 0.2]
+    with pytest.raises(ValueError, match=r"pair_friction \[-\]: got 2 numbers, expected 1"):
+        palpate.build_scene(scene)

@@ -149,7 +149,7 @@ def test_rows_are_of_the_window_s_letters_and_no_banner_covers_them(open_window,
     window.resize(*size)
     window.restart()
     hud, over = window.view.hud, window.over
-    hud.show_rows([("Instrument 1", "0.00 N"), ("Jaws 1", "10.0 N, 168 kPa > 150")])
+    hud.show_rows([("Instrument 1", "0.00 N"), ("Jaws 1", "10.0 N, 357 kPa > 330")])
 
     over.warning.tell(" ".join(["The force was damped."] * 6))
     over.place()
@@ -163,12 +163,15 @@ def test_rows_are_of_the_window_s_letters_and_no_banner_covers_them(open_window,
 # ---------------------------------------------------------------- what jaws press with
 
 
-def frame_of(*pinches: tuple[float, float]) -> SimpleNamespace:
+def frame_of(*pinches: tuple[float, float], turn_limited: bool = False) -> SimpleNamespace:
     """What is read of a frame: of each instrument [N] and [Pa]."""
     instruments = [
-        SimpleNamespace(pinch=force, pad_pressure=pressure, force=(0, 0, 3), stiffness_error=0.0)
+        SimpleNamespace(
+            pinch=force, pad_pressure=pressure, force=(0, 0, 3), stiffness_error=0.0,
+            turn_limited=turn_limited,
+        )
         for force, pressure in pinches
-    ]
+    ]  # fmt: skip
     return SimpleNamespace(instruments=tuple(instruments))
 
 
@@ -184,10 +187,19 @@ def test_jaws_that_press_have_a_row_and_jaws_that_do_not_have_none():
     ]  # fmt: skip
 
 
+def test_an_instrument_that_tissue_keeps_from_turning_is_told():
+    def say(frame) -> list[tuple[str, str]]:
+        return say_forces(frame, find_pinches(frame))
+
+    assert say(frame_of((0.0, 0.0), turn_limited=True)) == [("Turning", "held by tissue")]
+    told = say(frame_of((0.0, 0.0), (0.0, 0.0), turn_limited=True))
+    assert told[1::2] == [("Turning 1", "held by tissue"), ("Turning 2", "held by tissue")]
+
+
 def test_a_pressure_that_harms_is_told_with_what_it_is_beyond():
-    assert HARMFUL == 150e3
-    assert not Pinch(10.0, HARMFUL).is_wrong and Pinch(10.0, 168e3).is_wrong
-    assert tell_pinch(Pinch(10.0, 168e3)) == "10.0 N, 168 kPa > 150"
+    assert HARMFUL == 330e3
+    assert not Pinch(10.0, HARMFUL).is_wrong and Pinch(10.0, 357e3).is_wrong
+    assert tell_pinch(Pinch(10.0, 357e3)) == "10.0 N, 357 kPa > 330"
 
 
 def test_a_task_says_from_where_on_jaws_press_too_hard():
@@ -216,7 +228,7 @@ def test_the_row_of_jaws_that_press_too_hard_is_in_the_colour_of_an_alarm(view):
         pixels = grab(view.hud)
         return int((pixels[..., 0] - pixels[..., 1:].max(axis=-1) > 80).sum())
 
-    rows = [("Instrument 1", "3.00 N"), ("Jaws 1", "10.0 N, 168 kPa > 150")]
+    rows = [("Instrument 1", "3.00 N"), ("Jaws 1", "10.0 N, 357 kPa > 330")]
     view.hud.show_rows(rows)
     assert count_red() == 0
     view.hud.show_rows(rows, ["Jaws 1"])

@@ -221,12 +221,12 @@ Work circle(const Scene& scene, double depth, int laps) {
   return work;
 }
 
-/// Two flat walls side by side, which meet at y = 0, and a table far from them.
+/// Two flat walls side by side, both of which lie where y is within 10 mm, and a table far away.
 Scene make_pair_of_walls(std::vector<double> pair_friction) {
   Scene scene = make_flat_wall(0.3);
   scene.bodies.push_back(scene.bodies[0]);
   for (std::size_t b = 0; b < 2; ++b) {
-    for (Vec3& x : scene.bodies[b].tissue.rest_position) x.y() += b == 0 ? -0.03 : 0.03;
+    for (Vec3& x : scene.bodies[b].tissue.rest_position) x.y() += b == 0 ? -0.05 : -0.01;
   }
   scene.scenery = {{scenes::make_table(0.06, 24, {0.2, 0.0, 0.0}), {}, 0.0}};
   scene.instruments[0].pair_friction = std::move(pair_friction);
@@ -248,22 +248,22 @@ TEST_CASE("T4: each pair of surfaces has a coefficient of its own") {
     CAPTURE(mu);
     CHECK(std::abs(measure_pair_ratio(scene, at, depth, mu) - mu) < within * mu);
   };
-  check({0.0, -0.03, 0.0}, 0.003, 0.1, 0.01);
-  check({0.0, 0.03, 0.0}, 0.003, 0.5, 0.01);
-  check({0.2, 0.0, 0.0}, 0.002, 0.4, 0.01);  // the table
-  check({0.0, 0.0, 0.0}, 0.003, 0.3, 0.05);  // on both walls alike: the mean
+  check({0.03, -0.025, 0.0}, 0.003, 0.1, 0.01);
+  check({0.03, 0.025, 0.0}, 0.003, 0.5, 0.01);
+  check({0.2, 0.0, 0.0}, 0.002, 0.4, 0.01);   // the table
+  check({0.03, 0.0, 0.0}, 0.003, 0.3, 0.05);  // on both walls alike: the mean
 }
 
 TEST_CASE("coefficients of pairs that are the tool's own change no bit, and none of 0 rubs") {
   const auto drag = [](const Scene& scene) {
-    Press press(scene, 0.003, 0.0, {0.0, 0.0, 0.0});
+    Press press(scene, 0.003, 0.0, {0.03, 0.0, 0.0});
     for (int i = 0; i < 200; ++i) press.slide(2e-5 * i);
     return compute_hash(press.world());
   };
   CHECK(drag(make_pair_of_walls({0.3, 0.3, 0.3})) == drag(make_pair_of_walls({})));
   const Scene slippery = make_pair_of_walls({0.0, 0.0, 0.0});
-  CHECK(measure_pair_ratio(slippery, {0.0, 0.03, 0.0}, 0.003, 0.0) == 0.0);
-  Press press(slippery, 0.003, 0.0, {0.0, 0.03, 0.0});
+  CHECK(measure_pair_ratio(slippery, {0.03, 0.025, 0.0}, 0.003, 0.0) == 0.0);
+  Press press(slippery, 0.003, 0.0, {0.03, 0.025, 0.0});
   for (int i = 0; i < 100; ++i) press.slide(2e-5 * i);
   CHECK(press.world().instruments[0].tool.friction.norm() == 0.0);
 }

@@ -25,8 +25,11 @@ FRAMES = (
 """[s] in a cycle, [m] over the surface at rest, and the button."""
 OTHERWISE = {"gallbladder_grasp": 0.15, "stomach_two_graspers": 0.2}
 """[-] by which a later grasp of the same place may pull otherwise than the first: the second one
-pulls 4 % less on the gallbladder, the third 10 %, and the second 13 % less on the stomach's antrum,
-where 2 % was the goal (core/CONTACT.md)."""
+pulls 4 % less on the gallbladder, the third 10 %, and the second 13 % less on the stomach's antrum
+(core/CONTACT.md)."""
+SETTLED, ALIKE = 2, 0.02
+"""Grasps after which a place is as those leave it, and [-] how far the others are from their mean:
+that is what drift would show in."""
 HELD = slice(1900, 2200)
 """Ticks of a cycle in which nothing moves."""
 AT_REST = 0.5
@@ -86,6 +89,9 @@ def check(sizes: np.ndarray, otherwise: float) -> None:
     assert (np.ptp(held, axis=1) < 0.01 * held.mean(axis=1) + 1e-3).all(), "drifts while held"
     means = held.mean(axis=1)
     assert (np.abs(means - means[0]) < otherwise * means[0]).all(), means
+    if len(means) > SETTLED + 1:
+        later = means[SETTLED:]
+        assert (np.abs(later / later.mean(axis=0) - 1.0) < ALIKE).all(), later
     assert sizes[:, -100:].max() == 0.0, "something is held on"
 
 

@@ -48,7 +48,7 @@ USUAL: Mapping[str, Json] = {
 LIMIT_BOUNDS: Mapping[str, float] = {
     "force": 1.5, "force_rate": 20.0, "depth": 0.015, "distance": 0.02, "speed": 0.3,
     "clearance": 0.005, "path.off": 0.008, "strain": 0.4,
-    "object_force": 1.0, "pad_pressure": 150e3,
+    "object_force": 1.0, "pad_pressure": 330e3,
 }  # fmt: skip
 TIME_LIMIT = 60.0
 LANGUAGES = ("en", "tr")

@@ -168,8 +168,8 @@ def say_keys() -> list[tuple[str, str]]:
 
 def say_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, str]]:
     """The force on the hand of each of several instruments, where of one the force bar tells it;
-    how hard jaws press; and how much softer than it is a tissue is felt through a device that bears
-    no more."""
+    how hard jaws press; whether tissue keeps one from turning as its hand does; and how much softer
+    than it is a tissue is felt through a device that bears no more."""
     name = translate("Player", "Instrument %1")
     several = len(frame.instruments) > 1
     rows = []
@@ -179,6 +179,11 @@ def say_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, st
             rows.append((name.replace("%1", str(index + 1)), f"{force} N"))
         if index in pinches:
             rows.append((name_jaws(index, several), say_digits(tell_pinch(pinches[index]))))
+        if one.turn_limited:
+            turns = translate("Player", "Turning %1") if several else translate("Player", "Turning")
+            rows.append(
+                (turns.replace("%1", str(index + 1)), translate("Player", "held by tissue"))
+            )
     softer = max(one.stiffness_error for one in frame.instruments)
     if softer > FELT_WITHIN:
         rows.append((translate("Player", "Feels softer"), f"{format_number(100 * softer, 0)} %"))

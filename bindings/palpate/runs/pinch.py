@@ -10,8 +10,8 @@ from palpate.assessment.author import LIMIT_BOUNDS
 from palpate.runs.live import Frame
 
 HARMFUL = LIMIT_BOUNDS["pad_pressure"]
-"""[Pa] on a pad above which tissue is taken to be harmed, where no task says otherwise. Estimated:
-pinches of 15 to 37 N harmed bowel, some 100 to 200 kPa [Heijnsdijk04]."""
+"""[Pa] on a pad above which tissue is taken to be harmed, where no task says otherwise: human bowel
+that was pressed for 10 s is safe below 329 to 330 kPa [Khan21]."""
 LEAST_PINCH = 0.05
 """[N] Jaws that press less hold nothing, as far as is told."""
 

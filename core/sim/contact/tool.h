@@ -38,7 +38,7 @@ struct Tool {
 
 /// Where the tool is (the paper's ideal tip, IUN) and what it is fastened to.
 struct ToolState {
-  /// A patch of tissue the tool pulls on: a bilateral spring until grasping arrives.
+  /// A patch of tissue that the tool pulls on by a bilateral spring: click and hold.
   struct Hold {
     int triangle = 0;
     Vec3 weights = Vec3::Zero();  ///< barycentric
@@ -111,6 +111,7 @@ struct ToolState {
   bool touching = false;         ///< any contact in force in the last substep
   Vec3 residual = Vec3::Zero();  ///< [N] left between hand and tissue after the last substep
 
+  bool turn_limited = false;  ///< tissue keeps it from turning as its hand does, in this tick
   /// [N m] on the tool about its position, of the contacts and holds of the last substep; of a tool
   /// with capsules
   Vec3 torque = Vec3::Zero();

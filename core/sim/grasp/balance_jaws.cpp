@@ -242,6 +242,7 @@ Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolStat
   const int sorted = state.anchor_count;
   double nearest = std::numeric_limits<double>::infinity();
   Vec3 sum = Vec3::Zero();
+  std::array<double, 2> extents{};  // [N m²]
   state.carrier.triangle = -1;
   state.touching = false;
   unpress_anchors(state);
@@ -256,6 +257,11 @@ Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolStat
     if (!surface_of(around, jaw, body).load->add({t, contact.weights, -force})) return;
     sum += force;
     state.touching = true;
+    const Capsule& axis = place.jaws.axis_of(jaw);
+    const TouchedSurface& surface = surface_of(around, jaw, body);
+    extents[static_cast<std::size_t>(jaw)] +=
+        contact.force *
+        find_extent(triangle_at(surface, t), surface.x, (axis.to - axis.from).normalized());
     const double mu = find_friction(around.tool, bodies, body);
     if (!(mu > 0.0)) return;
     const double whole = touch.pressed[static_cast<std::size_t>(jaw)].force;
@@ -269,8 +275,9 @@ Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolStat
   sum += pull_anchors(around.tool, place.jaws, bodies, sorted, state);
   state.pinch = 0.5 * (touch.pressed[0].force + touch.pressed[1].force) + layer.force;
   state.pad_pressure = 0.0;
-  for (const Pressed& pressed : touch.pressed) {
-    const double area = find_covered(around.tool, pressed);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Pressed& pressed = touch.pressed[j];
+    const double area = find_covered(around.tool, pressed, extents[j]);
     if (!(area > 0.0)) continue;
     state.pad_pressure = std::max(state.pad_pressure, (pressed.force + layer.force) / area);
   }

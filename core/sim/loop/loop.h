@@ -46,6 +46,7 @@ struct InstrumentSnapshot {
   double pinch = 0.0;                  ///< [N] that each of them presses with
   double pad_pressure = 0.0;           ///< [Pa] of that
   Vec3 carried = Vec3::Zero();         ///< [N] on the tool, of what its jaws hold
+  bool turn_limited = false;           ///< tissue keeps it from turning as its hand does
   MotorState motors = MotorState::on;  ///< of the device
   long interventions = 0;              ///< of its passivity controller, so far
   /// [-] part of the tissue's stiffness that the hand does not feel in this contact; 0 where the

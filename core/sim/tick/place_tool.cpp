@@ -110,6 +110,7 @@ double bound_reach(const Tool& tool, const Vec3& point) noexcept {
 void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt, double bearable,
                ToolState& state) noexcept {
   const Tool& tool = instrument.tool;
+  state.turn_limited = false;
   if (tool.capsules.empty()) return;
   const double norm = hand.norm();
   if (!(norm > 0.0)) return;
@@ -124,10 +125,12 @@ void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt, 
     reach = std::max({reach, bound_reach(tool, capsule.from), bound_reach(tool, capsule.to)});
   }
   double most = kTurnInRadii * tool.radius / reach;
-  if (state.torque.norm() > kFreeTorque) most = std::min(most, kFastestTurn * dt);
+  const bool resisted = state.torque.norm() > kFreeTorque && kFastestTurn * dt < most;
+  if (resisted) most = kFastestTurn * dt;
   const Quaternion before = state.orientation;
   const double angle = before.angularDistance(wanted);
   state.orientation = wanted;
+  state.turn_limited = resisted && angle > most;
   if (angle > most) state.orientation = before.slerp(most / angle, wanted).normalized();
   if (!std::isfinite(bearable)) return;
   // about its shaft where that is led through a trocar, else about any axis
@@ -140,6 +143,7 @@ void turn_tool(const Instrument& instrument, const Quaternion& hand, double dt, 
   const double about = turned.angle() * turned.axis().dot(axis);
   const double may = yield_to(size, bearable * reach, kFastestTurn * dt, about);
   if (may == about) return;
+  state.turn_limited = true;
   state.orientation =
       (Quaternion(Eigen::AngleAxisd(may - about, axis)) * state.orientation).normalized();
 }

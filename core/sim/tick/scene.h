@@ -90,7 +90,8 @@ struct Instrument {
   /// turns the tool [contact: trocar]
   std::optional<Vec3> trocar = {};
   /// [-] mu of the tool with each surface of the scene: bodies, then scenery, then rigid bodies, in
-  /// place of tool.friction; empty: that with all. Where that is 0, nothing rubs [contact: friction]
+  /// place of tool.friction; empty: that with all. Where that is 0, nothing rubs [contact:
+  /// friction]
   std::vector<double> pair_friction = {};
 };
 

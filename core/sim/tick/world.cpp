@@ -281,8 +281,7 @@ std::span<const TouchedSurface> list_surfaces(const Scene& scene, std::size_t in
       surfaces[b].wall_modulus = body.near_field->modulus;
     }
   }
-  list_hard_surfaces(scene, instrument, 0, world,
-                     std::span(surfaces).subspan(world.bodies.size()));
+  list_hard_surfaces(scene, instrument, 0, world, std::span(surfaces).subspan(world.bodies.size()));
   return surfaces;
 }
 
@@ -295,8 +294,7 @@ std::array<std::span<const TouchedSurface>, 2> list_jaw_surfaces(const Scene& sc
     surfaces[b] = first[b];
     surfaces[b].candidates = &second_jaw(world, instrument, b);
   }
-  list_hard_surfaces(scene, instrument, 1, world,
-                     std::span(surfaces).subspan(world.bodies.size()));
+  list_hard_surfaces(scene, instrument, 1, world, std::span(surfaces).subspan(world.bodies.size()));
   return {first, surfaces};
 }
 

@@ -101,6 +101,14 @@
         <translation>Durduğu gibi tarandı: yerçekimi onu değiştirmez</translation>
     </message>
     <message>
+        <source>Instruments rub on it otherwise</source>
+        <translation>Aletler ona başka sürtünür</translation>
+    </message>
+    <message>
+        <source>Coulomb's coefficient. Otherwise that of the instrument, as on all else.</source>
+        <translation>Coulomb katsayısı. Yoksa, geri kalan her şeyde olduğu gibi, aletinki.</translation>
+    </message>
+    <message>
         <source>Place published organs, stones and scenery, and say which may touch.</source>
         <translation>Yayımlanmış organları, taşları ve sabit çevreyi yerleştirin; hangilerinin dokunabileceğini belirtin.</translation>
     </message>
@@ -1091,6 +1099,18 @@
     <message>
         <source>Jaws {number}</source>
         <translation>Çeneler {number}</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Dönüş</translation>
+    </message>
+    <message>
+        <source>Turning {number}</source>
+        <translation>Dönüş {number}</translation>
+    </message>
+    <message>
+        <source>held by tissue</source>
+        <translation>dokuca tutuluyor</translation>
     </message>
     <message>
         <source>&amp;Wireframe</source>

@@ -50,6 +50,28 @@ TEST_CASE("jaws open about their hinge, one each way, and points go with them") 
   }
 }
 
+// By hand: the points of an equilateral triangle of edge h have the variance h²/24 along every line
+// in its plane, and a line of the length l evenly pressed l²/12.
+TEST_CASE("what is touched of a pad has the whole of its triangles, however few there are") {
+  constexpr double h = 0.006, r = scenes::kJawRadius, length = scenes::kJawLength;
+  const std::array<Vec3, 3> x{Vec3(0, 0, 0), Vec3(h, 0, 0), Vec3(0.5 * h, std::sqrt(0.75) * h, 0)};
+  const Triangle t{0, 1, 2};
+  for (const double angle : {0.0, 0.4, 1.3}) {
+    const Vec3 along(std::cos(angle), std::sin(angle), 0.0);
+    CHECK(find_extent(t, x, along) == doctest::Approx(h * h / 24.0));
+  }
+  CHECK(find_extent(t, x, Vec3::UnitZ()) == doctest::Approx(0.0));
+
+  const Tool tool = scenes::make_grasper(0.5, 5.0);
+  const double width = tool.jaws->pad_area / length;
+  Pressed point{.force = 2.0, .at = 2.0 * 0.01, .spread = 2.0 * 1e-4};  // in the middle
+  CHECK(find_covered(tool, point) == doctest::Approx(2.0 * r * width));
+  const double half = std::sqrt(3.0 * h * h / 24.0) + r;
+  CHECK(find_covered(tool, point, 2.0 * h * h / 24.0) == doctest::Approx(2.0 * half * width));
+  CHECK(find_covered(tool, press_evenly(3.0)) == doctest::Approx(tool.jaws->pad_area));
+  CHECK(find_covered(tool, press_evenly(3.0), 3.0 * h * h) == doctest::Approx(tool.jaws->pad_area));
+}
+
 TEST_CASE("the layer between two jaws resists as it is pressed, and not where one alone touches") {
   const Tool tool = scenes::make_grasper(0.5, 5.0);
   const std::array both{press_evenly(1.0), press_evenly(1.0)};

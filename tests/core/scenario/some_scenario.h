@@ -78,8 +78,7 @@ inline Scene make_pair_scene() {
   scene.bodies.push_back(std::move(beside));
   scene.instruments.push_back({.tool = {.radius = 0.002, .stiffness = 3e7, .friction = 0.25},
                                .coupling = {.stiffness = 600.0, .force_max = 2.0},
-                               .hold_stiffness = 300.0,
-                               .pair_friction = {0.25, 0.0625}});
+                               .hold_stiffness = 300.0});
   return build_scene(std::move(scene));
 }
 

@@ -37,8 +37,16 @@ std::vector<std::uint64_t> felt_bits(const Scene& scene) {
   return bits;
 }
 
+/// make_pair() with coefficients of the second instrument on either organ.
+Scenario make_rubbing_pair() {
+  Scenario made = make_pair();
+  made.scene.instruments[1].pair_friction = {0.25, 0.0625};
+  made.scene = build_scene(std::move(made.scene));
+  return made;
+}
+
 std::string refuse_content(const std::string& from, const std::string& to) {
-  Container changed = scenario::pack(make_pair());
+  Container changed = scenario::pack(make_rubbing_pair());
   const std::size_t at = changed.content.rfind(from);  // of the second
   REQUIRE(at != std::string::npos);
   changed.content.replace(at, from.size(), to);
@@ -56,7 +64,7 @@ std::string refuse_scene(Change change) {
 
 TEST_CASE("a scene of two bodies and instruments that was read gives the very forces") {
   const Folder folder("pair");
-  const Scenario made = make_pair();
+  const Scenario made = make_rubbing_pair();
 
   scenario::write(folder.file("pair.palpate"), made);
   const Scenario found = scenario::read(folder.file("pair.palpate"));
@@ -239,7 +247,7 @@ TEST_CASE("what is wrong with a further body or instrument is refused by its num
                  "scene.instruments[1].tool.friction: got 3, expected 0 to 2 -"));
   const std::string pairs = "\"pair_friction\":[0.25,0.0625]";
   CHECK(contains(refuse_content(pairs, "\"pair_friction\":[0.25]"),
-                 "scene.instruments[1].pair_friction: got 1 number"));
+                 "scene.instruments[1].pair_friction: got a list of 1"));
   CHECK(contains(refuse_content(pairs, "\"pair_friction\":[0.25,3]"),
                  "scene.instruments[1].pair_friction: got 3, expected 0 to 2 -"));
   CHECK(contains(refuse_content(pairs, "\"pair_friction\":[0.25,\"wet\"]"),

@@ -90,7 +90,8 @@ TEST_CASE("a scene that cannot run is refused by the name of the field") {
       s.instruments[0].pair_friction = pairs;
     });
   };
-  CHECK(names(with_pairs(0.3, {0.1, 0.1}), "pair_friction [-]: got 2 numbers, expected 1, one per"));
+  CHECK(
+      names(with_pairs(0.3, {0.1, 0.1}), "pair_friction [-]: got 2 numbers, expected 1, one per"));
   CHECK(names(with_pairs(0.3, {-0.1}), "pair_friction [-]: got -0.1"));
   CHECK(names(with_pairs(0.3, {nan}), "pair_friction [-]: got nan"));
   CHECK(names(with_pairs(0.0, {0.1}), "pair_friction [-]: got 0.1, expected 0 for all with"));

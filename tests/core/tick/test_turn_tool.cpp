@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "core/tick/press_scene.h"
 #include "palpate/sim/tick/private/world_internals.h"
@@ -101,6 +102,8 @@ TEST_CASE("where tissue bears no more, an instrument turns against it the slower
       turn_tool(instrument, hand, kDt, bearable, turned);
       const Eigen::AngleAxisd by(turned.orientation * start.conjugate());
       CHECK(by.axis().cross(shaft).norm() * by.angle() < 1e-9);
+      // said where tissue is what limits it
+      CHECK(turned.turn_limited == (torque > 0.0 && bearable == kBearable));
       return by.angle() * by.axis().dot(shaft);
     };
     const double free = turn(0.0, kNone);
@@ -113,4 +116,24 @@ TEST_CASE("where tissue bears no more, an instrument turns against it the slower
     CHECK(turn(9e-3, kBearable) == doctest::Approx(-kMost).epsilon(1e-6));
     CHECK(turn(-1e-3, kBearable) == doctest::Approx(free));
   }
+}
+
+TEST_CASE("an instrument that is pressed hard turns at 3 rad/s at the most, and that is said") {
+  constexpr double kDt = 1e-3, kMost = 3.0 * kDt;
+  const Instrument instrument = make_scene(false).instruments[0];
+  const Quaternion hand(Eigen::AngleAxisd(0.5, Vec3::UnitX()));
+  const auto turn = [&](double torque, const Quaternion& to) {
+    ToolState state;
+    state.placed = true;
+    state.torque = Vec3(torque, 0.0, 0.0);
+    turn_tool(instrument, to, kDt, std::numeric_limits<double>::infinity(), state);
+    return std::pair(state.orientation.angularDistance(Quaternion::Identity()), state.turn_limited);
+  };
+  const auto [free, of_free] = turn(0.0, hand);
+  const auto [pressed, of_pressed] = turn(0.03, hand);
+  CHECK(free > kMost);
+  CHECK_FALSE(of_free);
+  CHECK(pressed == doctest::Approx(kMost));
+  CHECK(of_pressed);
+  CHECK_FALSE(turn(0.03, Quaternion(Eigen::AngleAxisd(0.5 * kMost, Vec3::UnitX()))).second);
 }

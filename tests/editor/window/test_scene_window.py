@@ -64,6 +64,24 @@ def test_a_tick_has_an_organ_keep_the_shape_that_it_was_scanned_in(qtbot, scene)
     assert not find(scene, QCheckBox, "weightless").isVisibleTo(scene)
 
 
+def test_a_tick_gives_instruments_a_coefficient_of_their_own_on_what_is_placed(qtbot, scene):
+    scene.choose("left")
+    box = find(scene, QCheckBox, "tool_friction")
+    assert box.isVisibleTo(scene) and not box.isChecked()
+
+    QTest.mouseClick(box, LEFT, NO_KEYS, QPoint(8, box.height() // 2))
+    wait(qtbot, scene)
+
+    assert part(scene, "left").tool_friction == (0.1,)
+    assert "--tool-friction=0.1" in log(scene)
+    QTest.mouseClick(box, LEFT, NO_KEYS, QPoint(8, box.height() // 2))
+    wait(qtbot, scene)
+    assert part(scene, "left").tool_friction == ()
+    assert "--tool-friction=own" in log(scene)
+    scene.choose("stone")
+    assert find(scene, QCheckBox, "tool_friction").isVisibleTo(scene)
+
+
 def test_a_layout_opens_in_a_window_that_lists_and_draws_what_is_in_it(scene):
     heads = [scene.tree.topLevelItem(i) for i in range(3)]
     names = [[head.child(i).text(0) for i in range(head.childCount())] for head in heads]

@@ -199,13 +199,19 @@ def test_the_command_line_says_all_that_differs_from_a_plain_press():
 
 
 def test_jaws_that_press_have_a_row_beside_the_force_of_their_instrument():
-    one, other = (SimpleNamespace(force=np.array([0.0, 0.0, size])) for size in (3.0, 1.5))
-    pinch = Pinch(6.24, 168e3)
+    one, other = (
+        SimpleNamespace(force=np.array([0.0, 0.0, size]), turn_limited=False) for size in (3.0, 1.5)
+    )
+    pinch = Pinch(6.24, 357e3)
 
     assert name_forces(SimpleNamespace(instruments=(one,)), {}) == [("Force", "3.00 N")]
     assert name_forces(SimpleNamespace(instruments=(one,)), {0: pinch}) == [
         ("Force", "3.00 N"),
-        ("Jaws", "6.2 N, 168 kPa > 150"),
+        ("Jaws", "6.2 N, 357 kPa > 330"),
     ]
     two = name_forces(SimpleNamespace(instruments=(one, other)), {1: pinch})
     assert [name for name, _ in two] == ["Force 1", "Force 2", "Jaws 2"]
+    one.turn_limited = True
+    assert name_forces(SimpleNamespace(instruments=(one,)), {})[1:] == [
+        ("Turning", "held by tissue")
+    ]

@@ -380,6 +380,18 @@
         <translation>kuvvet oku</translation>
     </message>
     <message>
+        <source>Turning</source>
+        <translation>Dönüş</translation>
+    </message>
+    <message>
+        <source>Turning %1</source>
+        <translation>Dönüş %1</translation>
+    </message>
+    <message>
+        <source>held by tissue</source>
+        <translation>dokuca tutuluyor</translation>
+    </message>
+    <message>
         <source>Feels softer</source>
         <translation>Daha yumuşak hissedilir</translation>
     </message>

@@ -41,9 +41,9 @@ struct ContactRows {
 struct TouchableSurface {
   const Candidates& candidates;
   std::span<const Triangle> triangles;
-  std::span<const Vec3> x;  ///< [m]
-  const NearField* near;    ///< null under the hard law alone
-  int body;                 ///< whose it is, of what is held
+  std::span<const Vec3> x;     ///< [m]
+  const NearField* near;       ///< null under the hard law alone
+  int body;                    ///< whose it is, of what is held
   double friction_part = 1.0;  ///< [-] mu of the tool on it over Tool::friction
 
   std::span<const int> list_touchable() const noexcept {
@@ -52,7 +52,7 @@ struct TouchableSurface {
 };
 
 inline TouchableSurface view(const TouchedSurface& surface, int body) noexcept {
-  return {*surface.candidates, surface.triangles, surface.x, surface.near, body,
+  return {*surface.candidates,  surface.triangles, surface.x, surface.near, body,
           surface.friction_part};
 }
 

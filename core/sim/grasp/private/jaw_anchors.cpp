@@ -98,7 +98,8 @@ void press_anchor(const Tool& tool, const OpenJaws& jaws, std::span<const Touche
     ToolState::Anchor& anchor = *found;
     anchor.pressed = contact.pressed;
     const Vec3 along = find_stretch(jaws, surfaces, state.position, anchor).along;
-    const double size = anchor.stiffness * along.norm(), most = find_friction(tool, surfaces, contact.body) * contact.pressed;
+    const double size = anchor.stiffness * along.norm(),
+                 most = find_friction(tool, surfaces, contact.body) * contact.pressed;
     if (!(size > most)) return;
     anchor.weights = contact.weights;
     anchor.place = jaws.to_jaw(anchor.jaw, at - (most / size) * along - state.position);
@@ -128,7 +129,8 @@ Vec3 pull_anchors(const Tool& tool, const OpenJaws& jaws, std::span<const Touche
   std::array<bool, 2> sticks{};
   for (const ToolState::Anchor& anchor : anchors_of(state)) {
     const Vec3 along = find_stretch(jaws, surfaces, state.position, anchor).along;
-    const double size = anchor.stiffness * along.norm(), most = find_friction(tool, surfaces, anchor.body) * anchor.pressed;
+    const double size = anchor.stiffness * along.norm(),
+                 most = find_friction(tool, surfaces, anchor.body) * anchor.pressed;
     const Vec3 force = (size > most ? most / size : 1.0) * anchor.stiffness * along;
     state.carried += force;
     state.held_load += std::min(size, most);

@@ -13,10 +13,12 @@ struct Touched {
   double low = 0.0, high = 0.0;
 };
 
-Touched find_touched(const Tool& tool, double length, const Pressed& pressed) noexcept {
+Touched find_touched(const Tool& tool, double length, const Pressed& pressed,
+                     double extent = 0.0) noexcept {
   if (!(pressed.force > 0.0)) return {};
   const double middle = pressed.at / pressed.force;
-  const double variance = std::max(0.0, pressed.spread / pressed.force - middle * middle);
+  const double variance =
+      std::max(0.0, (pressed.spread + extent) / pressed.force - middle * middle);
   const double half = std::sqrt(3.0 * variance) + tool.radius;
   return {std::clamp(middle - half, 0.0, length), std::clamp(middle + half, 0.0, length)};
 }
@@ -60,9 +62,18 @@ double measure_arm(const Tool& tool) noexcept {
   return (0.5 * (tool.capsules[0].from + tool.capsules[0].to) - tool.jaws->hinge).norm();
 }
 
-double find_covered(const Tool& tool, const Pressed& pressed) noexcept {
+/// That of a triangle about its middle m is sum over corners of (c - m)²/12.
+double find_extent(const Triangle& t, std::span<const Vec3> x, const Vec3& along) noexcept {
+  Vec3 at;
+  for (int c = 0; c < 3; ++c) {
+    at[c] = along.dot(x[static_cast<std::size_t>(t[static_cast<std::size_t>(c)])]);
+  }
+  return (at.array() - at.mean()).matrix().squaredNorm() / 12.0;
+}
+
+double find_covered(const Tool& tool, const Pressed& pressed, double extent) noexcept {
   const double length = measure_length(tool);
-  const Touched touched = find_touched(tool, length, pressed);
+  const Touched touched = find_touched(tool, length, pressed, extent);
   return tool.jaws->pad_area * (touched.high - touched.low) / length;
 }
 

@@ -116,8 +116,11 @@ inline double find_pad_part(double opens) noexcept {
   return std::clamp((opens - kPadEdge) / (kPadFace - kPadEdge), 0.0, 1.0);
 }
 
-/// [m²] Of a pad that is touched.
-double find_covered(const Tool& tool, const Pressed& pressed) noexcept;
+/// [m²] The variance along a unit direction of the points of a triangle, whose pressure is alike.
+double find_extent(const Triangle& t, std::span<const Vec3> x, const Vec3& along) noexcept;
+
+/// [m²] Of a pad that is touched: `extent` [N m²] is that of the triangles, each times its force.
+double find_covered(const Tool& tool, const Pressed& pressed, double extent = 0.0) noexcept;
 
 /// The springs of all anchors, about where tool and jaws are as a substep begins: affine in both.
 struct AnchorSprings {

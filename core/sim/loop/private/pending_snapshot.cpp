@@ -61,6 +61,7 @@ void note_world(const World& world, std::span<const HapticSample> samples,
     seen.pinch = tool.pinch;
     seen.pad_pressure = tool.pad_pressure;
     seen.carried = tool.carried;
+    seen.turn_limited = tool.turn_limited;
   }
   for (std::size_t r = 0; r < world.rigid.size(); ++r) {
     pending.seen.rigid[r] = {world.rigid[r].position, world.rigid[r].orientation};

@@ -193,8 +193,10 @@ TouchableSurface find_touchable_part(const Scene& scene, std::size_t instrument,
                                      std::size_t body, World& world) noexcept {
   const SoftBody& soft = scene.bodies[body];
   return {part == 0 ? world.pair(instrument, body).candidates : second_jaw(world, instrument, body),
-          soft.tissue.triangles, surface_position(world.bodies[body]),
-          find_near_field(scene.instruments[instrument].tool, soft), static_cast<int>(body),
+          soft.tissue.triangles,
+          surface_position(world.bodies[body]),
+          find_near_field(scene.instruments[instrument].tool, soft),
+          static_cast<int>(body),
           find_friction_part(scene.instruments[instrument], body)};
 }
 

@@ -237,7 +237,8 @@ double find_held_friction(const Instrument& instrument, const ToolState& tool) n
   for (int k = 0; k < tool.anchor_count; ++k) {
     const ToolState::Anchor& anchor = tool.anchors[static_cast<std::size_t>(k)];
     pressed += anchor.pressed;
-    rubbed += find_friction_part(instrument, static_cast<std::size_t>(anchor.body)) * anchor.pressed;
+    rubbed +=
+        find_friction_part(instrument, static_cast<std::size_t>(anchor.body)) * anchor.pressed;
   }
   return instrument.tool.friction * (pressed > 0.0 ? rubbed / pressed : 1.0);
 }

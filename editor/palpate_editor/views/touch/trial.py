@@ -152,7 +152,8 @@ class Trial(QObject):
 
 
 def name_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, str]]:
-    """The force on the hand of each instrument, and how hard its jaws press."""
+    """The force on the hand of each instrument, how hard its jaws press, and whether tissue keeps
+    it from turning as its hand does."""
     several = len(frame.instruments) > 1
     rows = []
     for index, one in enumerate(frame.instruments):
@@ -160,6 +161,9 @@ def name_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, s
         rows.append((name, say_digits(f"{float(np.linalg.norm(one.force)):.2f} N")))
         if index in pinches:
             rows.append((name_jaws(index, several), say_digits(tell_pinch(pinches[index]))))
+        if one.turn_limited:
+            turns = fill(tr("Turning {number}"), number=index + 1) if several else tr("Turning")
+            rows.append((turns, tr("held by tissue")))
     return rows
 
 
