@@ -158,6 +158,8 @@ def test_a_calibration_finds_sensors_that_were_mounted_otherwise():
                 palpate.compute_angles(found, counts)[j] - palpate.compute_angles(right, counts)[j]
             )
             assert abs(np.degrees(off)) < 0.3
+    for j in range(3, 6):  # held in line with the forearm
+        assert abs(found.joints[j].zero - right.joints[j].zero) <= 2
     assert report["stored"]
     assert abs(report["joints"][0]["moved_by_degree"]) > 1.0
     assert all(row["residual_degree"] < 0.3 for row in report["joints"][:3])

@@ -237,6 +237,22 @@ TEST_CASE("G2: a grasp that is held for a minute keeps its load" * doctest::test
   CHECK(hold.swing < 500.0 * 1e-6);  // K times the most drift
 }
 
+TEST_CASE("G2: so do a wall of prisms and a solid, within 10 um and 1 mN" *
+          doctest::test_suite("verify")) {
+  const Tool pinch = scenes::make_grasper(kFriction, 1.0);
+  const Tool gentle = scenes::make_grasper(kFriction, 0.1);
+  const std::array held{scenes::make_grasped_wall(pinch, 500.0),
+                        scenes::make_grasped_block(gentle, 500.0, build_solid)};
+  for (const Scene& scene : held) {
+    GraspingHand hand(scene);
+    const Hold hold = hold_for(hand, 0.0015, 1.0, 60.0);
+    CHECK(hand.tool().pinches);
+    CHECK(hold.drift < 1e-5);
+    CHECK(hold.swing < 1e-3);
+    CHECK_FALSE(hand.world().alarm);
+  }
+}
+
 TEST_CASE("G2: walls and a solid creep in jaws by less than 1 um in 10 s" *
           doctest::test_suite("verify")) {
   const Tool pinch = scenes::make_grasper(kFriction, 1.0);

@@ -28,6 +28,14 @@ inline Tool make_grasper(double friction, double grip) {
   return tool;
 }
 
+/// Two pads as long as these jaws on arms of 100 mm, so that they close all but parallel.
+inline Tool make_parallel_grasper(double friction, double grip) {
+  Tool tool = make_grasper(friction, grip);
+  tool.jaws->hinge = {0, 0, 0.1};
+  tool.jaws->open = 0.06;
+  return tool;
+}
+
 /// A closed slab, x from 0 to `size`[0], y and z about 0, with edges of about `edge` [m]. With
 /// `rounds` its rim at the largest x is half a circle of so many pieces, one plane without.
 inline SurfaceMesh make_slab(const Vec3& size, double edge, int rounds = 1) {
@@ -94,6 +102,22 @@ inline Scene make_grasped_slab(const Tool& tool, double coupling, double home = 
   scene.bodies[0].kernel = kernel_under_test();
   scene.bodies[0].tissue =
       build_mass_spring(make_slab({0.03, 0.03, 0.004}, 0.0015, rounds), wall, spring, options);
+  scene.instruments[0].tool = tool;
+  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
+  return build_scene(std::move(scene));
+}
+
+/// A flat sheet of springs, 50 x 16 x 6 mm, on home springs that are damped as tissue is.
+inline Scene make_grasped_sheet(const Tool& tool, double coupling) {
+  constexpr double kThickness = 0.002, kDensity = 1000.0, kDamping = 0.2;
+  SurfaceOptions options;
+  options.home_stiffness = 1e8;
+  options.drag = 2.0 * kDamping * std::sqrt(*options.home_stiffness / (kDensity * kThickness));
+  const Material wall{.density = kDensity, .damping_ratio = kDamping, .wall_thickness = kThickness};
+  Scene scene;
+  scene.bodies[0].kernel = kernel_under_test();
+  scene.bodies[0].tissue =
+      build_mass_spring(make_slab({0.05, 0.016, 0.006}, 0.0015), wall, 100.0, options);
   scene.instruments[0].tool = tool;
   scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
   return build_scene(std::move(scene));

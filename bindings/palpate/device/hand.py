@@ -50,7 +50,9 @@ class Gather:
 
 
 def aim(link: Link, pose: Pose) -> None:
-    """Lets the hand of a simulated device bring about a pose, pressing a little at a stop."""
+    """Lets the hand of a simulated device bring about a pose, pressing a little at a stop, with the
+    stylus in line with the forearm.
+    """
     if link.arm is None:
         return
     plant = link.arm.core().plant()
@@ -62,7 +64,8 @@ def aim(link: Link, pose: Pose) -> None:
     carried = palpate.compute_weight_torque(arm, joints)
     lift = np.asarray(palpate.compute_tip_force(arm, joints, carried)) / plant.hand.stiffness
     link.arm.widen(True)
-    link.hold(np.asarray(palpate.compute_tip(arm, joints)) + lift)
+    in_line = palpate.compute_stylus(joints, np.zeros(3))
+    link.hold(np.asarray(palpate.compute_tip(arm, joints)) + lift, in_line)
 
 
 def bring(link: Link, pose: Pose) -> None:

@@ -145,11 +145,17 @@ class Link:
         """[s] since it began."""
         return 0.0 if self._loop is None else self._loop.time()
 
-    def hold(self, position: ArrayLike) -> None:
-        """Where the hand of a simulated device goes, in the arm's frame [m]."""
+    def hold(self, position: ArrayLike, orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0)) -> None:
+        """Where the hand of a simulated device goes, in the arm's frame [m], and how it turns the
+        stylus, a quaternion (x, y, z, w); upright unless told.
+        """
         if self._hand is not None:
+            sample = palpate.HapticSample(
+                position=np.asarray(position, dtype=float),
+                orientation=np.asarray(orientation, dtype=float),
+            )
             with self._lock:
-                self._hand.set(palpate.HapticSample(position=np.asarray(position, dtype=float)))
+                self._hand.set(sample)
 
     def limits(self) -> palpate.SafetyLimits:
         """What the device can bear; of one that is not calibrated, nothing is known."""

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/sim/arm/private/gimbal.h"
 #include "palpate/sim/base/private/refuse.h"
 
 namespace palpate {
@@ -92,7 +93,8 @@ Calibration find_calibration(const Plant& plant) {
     joint.scale = j < 3 ? plant.count : plant.gimbal_count;
     const double middle = j < 3 ? 0.5 * (plant.joint_min[j] + plant.joint_max[j]) : 0.0;
     joint.zero = kSensorMiddle - static_cast<int>(std::lround(middle / joint.scale));
-    const double half = j < 3 ? 0.5 * (plant.joint_max[j] - plant.joint_min[j]) / joint.scale : 500;
+    const double half =
+        j < 3 ? 0.5 * (plant.joint_max[j] - plant.joint_min[j]) / joint.scale : kGimbalReach;
     joint.min = std::max(kRailLow, kSensorMiddle - static_cast<int>(std::lround(half)));
     joint.max = std::min(kRailHigh, kSensorMiddle + static_cast<int>(std::lround(half)));
   }

@@ -55,7 +55,7 @@ struct SerialDevice::Impl {
   const Vec3 origin;
   Arm arm;
   bool has_arm = false, has_sample = false;
-  std::array<VelocityWindow, 3> speeds;
+  std::array<VelocityWindow, 6> speeds;
   Vec3 joints = Vec3::Zero(), gimbal = Vec3::Zero(), tip = Vec3::Zero();
   HapticSample sample;       // of the last report
   Vec3 told = Vec3::Zero();  // [m] where the hand was said to be
@@ -81,13 +81,13 @@ struct SerialDevice::Impl {
 /// Angles of the newest report, and what the hand does by them: v = J dq/dt, the joints' speeds by
 /// windows that adapt to what a count is. Between two counts a joint goes on as it went, never out
 /// of what the count leaves open: steps of 0.3 mm would be impacts on the tissue, and this smooths
-/// them without being late.
+/// them without being late. The gimbal likewise, whose counts move the end of a shaft by 0.1 mm.
 void SerialDevice::Impl::take_report(double time) noexcept {
   const Calibration* calibration = link.calibration();
   if (!calibration) return;
   if (!has_arm) {
     arm = find_arm(*calibration);
-    for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < 6; ++j) {
       speeds[j] = VelocityWindow(std::abs(calibration->joints[j].scale));
     }
     has_arm = true;
@@ -96,12 +96,13 @@ void SerialDevice::Impl::take_report(double time) noexcept {
   const double dt = std::clamp(link.device_time() - device_time, 0.0, kLongestGap);
   device_time = link.device_time();
   Vec3 rates;
-  for (int j = 0; j < 3; ++j) {
+  for (int j = 0; j < 6; ++j) {
     const auto i = static_cast<std::size_t>(j);
-    gimbal[j] = angles[i + 3];
-    rates[j] = speeds[i].add(device_time, angles[i]);
+    double& angle = j < 3 ? joints[j] : gimbal[j - 3];
+    const double rate = speeds[i].add(device_time, angles[i]);
     const double half = 0.5 * std::abs(calibration->joints[i].scale);
-    joints[j] = std::clamp(joints[j] + dt * rates[j], angles[i] - half, angles[i] + half);
+    angle = std::clamp(angle + dt * rate, angles[i] - half, angles[i] + half);
+    if (j < 3) rates[j] = rate;
   }
   tip = compute_tip(arm, joints);
   sample.position = origin + tip - Workspace{}.center;

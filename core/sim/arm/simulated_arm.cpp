@@ -2,6 +2,10 @@
 #include "palpate/sim/arm/simulated_arm.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "palpate/sim/arm/private/gimbal.h"
 
 namespace palpate {
 namespace {
@@ -9,6 +13,7 @@ namespace {
 /// [m/s] A hand that says it is elsewhere, as a pointer does when it first shows up, goes there at
 /// this speed: its spring would fling the arm otherwise.
 constexpr double kFastestHand = 1.0;
+constexpr double kFastestTurn = 10.0;  // [rad/s] likewise, of the stylus in it
 constexpr double kLongestTick = 2e-3;  // [s] that it may make up at once
 
 }  // namespace
@@ -46,12 +51,32 @@ Vec3 SimulatedArm::to_arm(const Vec3& position) const noexcept {
   return box.center + (position - origin_).cwiseMax(-half).cwiseMin(half);
 }
 
+/// Turns the hand towards what is wanted by `most` [rad]. What is no orientation turns nothing.
+void SimulatedArm::turn_hand(const Quaternion& wanted, double most) noexcept {
+  const double norm = wanted.norm();
+  if (!(norm > 0.0 && std::isfinite(norm))) return;
+  const Quaternion goal(Eigen::Vector4d(wanted.coeffs() / norm));
+  const Quaternion before = turn_;
+  const double angle = before.angularDistance(goal);
+  turn_ = goal;
+  if (angle > most) turn_ = before.slerp(most / angle, goal).normalized();
+}
+
+/// The gimbal has neither mass nor friction: it is where the hand turns it.
+void SimulatedArm::turn_gimbal() noexcept {
+  const double most = kGimbalReach * core_.plant().gimbal_count;
+  core_.state().gimbal = compute_gimbal(core_.state().joints, turn_, most);
+}
+
 void SimulatedArm::open() {
-  place_ = to_arm(hand_.read(0.0).position);
+  const HapticSample wanted = hand_.read(0.0);
+  place_ = to_arm(wanted.position);
   if (const auto joints = find_joints(find_arm(core_.plant()), place_)) {
     core_.state().joints = *joints;
     core_.state().rates.setZero();
   }
+  turn_hand(wanted.orientation, std::numbers::pi);
+  turn_gimbal();
   core_.hold({place_, Vec3::Zero(), true});
   driver_.open();
   time_ = 0.0;
@@ -69,11 +94,11 @@ HapticSample SimulatedArm::read(double time) noexcept {
   // it has come to place_ by this tick, and goes on as it came until the next
   place_ += step;
   core_.hold({place_, dt > 0.0 ? Vec3(step / dt) : Vec3(Vec3::Zero()), true});
+  turn_hand(wanted.orientation, kFastestTurn * dt);
+  turn_gimbal();
   core_.press_buttons(wanted.buttons);
-  HapticSample sample = driver_.read(time);
+  const HapticSample sample = driver_.read(time);
   tell_hand_force();
-  // turned by the hand as it likes: the mouse has no gimbal
-  sample.orientation = wanted.orientation;
   return sample;
 }
 
@@ -81,6 +106,7 @@ HapticSample SimulatedArm::read(double time) noexcept {
 void SimulatedArm::rest(double seconds) noexcept {
   follow_orders();
   core_.hold({place_, Vec3::Zero(), true});
+  turn_gimbal();
   driver_.rest(seconds);
   tell_hand_force();
   hand_.write({});

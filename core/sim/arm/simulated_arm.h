@@ -64,7 +64,9 @@ class NativeCore : public Transport {
 
 /// The low-cost device without its metal: a hand holds a simulated arm, whose firmware is the real
 /// one, and is felt through the real driver. What the tick gets is what sensors, wire and driver
-/// make of where the arm is; what the hand gets is what the motors make of the force.
+/// make of where the arm is and how its gimbal is turned; what the hand gets is what the motors
+/// make of the force. The gimbal goes as the hand turns the stylus, and no further than its sensors
+/// read.
 class SimulatedArm : public HapticDevice {
  public:
   /// `hand` says where the hand wants to be, in the scene, whose place `origin` [m] is the middle
@@ -101,12 +103,15 @@ class SimulatedArm : public HapticDevice {
  private:
   Vec3 to_arm(const Vec3& position) const noexcept;
   void follow_orders() noexcept;
+  void turn_hand(const Quaternion& wanted, double most) noexcept;
+  void turn_gimbal() noexcept;
   void tell_hand_force() noexcept;
 
   HapticDevice& hand_;
   const Vec3 origin_;
-  Vec3 place_ = Workspace{}.center;  ///< [m] where the hand is, in the arm's frame
-  double time_ = 0.0;                ///< [s] of the last read
+  Vec3 place_ = Workspace{}.center;           ///< [m] where the hand is, in the arm's frame
+  Quaternion turn_ = Quaternion::Identity();  ///< unit, as the hand holds the stylus
+  double time_ = 0.0;                         ///< [s] of the last read
   std::atomic<bool> wide_{false}, stopped_{false}, unplugged_{false};
   std::array<std::atomic<bool>, 6> cut_{};
   std::array<std::atomic<double>, 3> hand_force_{};  ///< [N]

@@ -43,6 +43,23 @@ TEST_CASE("through driver and image, force out is force in at 100 points of the 
   CHECK(find_error(100) < 0.05);
 }
 
+TEST_CASE("through driver and image, the stylus is turned as its gimbal is, and its button heard") {
+  EmulatedBench bench;
+  bench.start();
+  const Plant& plant = bench.core.plant();
+  const double resolution = plant.count + 1.5 * plant.gimbal_count;
+  for (const Vec3& gimbal : {Vec3(0.9, -0.4, 0.2), Vec3(-2.2, 1.3, -1.7), Vec3(0.3, 0.6, 2.2)}) {
+    bench.core.state().gimbal = gimbal;
+    const int pressed = gimbal[0] > 0.0 ? 1 : 0;
+    bench.core.chip().set_buttons(pressed);
+    bench.run(0.02, kNothing);
+
+    const Quaternion held = compute_stylus(bench.core.state().joints, gimbal);
+    CHECK(bench.sample.orientation.angularDistance(held) < resolution);
+    CHECK(bench.sample.buttons == pressed);
+  }
+}
+
 TEST_CASE("through driver and image, a calibration is stored in the chip and read back from it") {
   EmulatedBench bench;
   bench.device.open();
