@@ -18,6 +18,10 @@ SCENARIOS = Path(__file__).resolve().parents[2] / "meshes" / "scenarios"
 SHIPPED = {"gallbladder_grasp": "gallbladder", "stomach_two_graspers": "stomach"}
 CYCLE = 3.0
 """[s]"""
+PROBED = {
+    "spleen_probe": ((0.0, 0.015, 0), (0.3, -0.003, 0), (2.2, -0.003, 0), (2.5, 0.015, 0)),
+}
+"""As FRAMES: what a probe, which takes nothing, is pressed into for a while."""
 FRAMES = (
     *((0.0, 0.015, 0), (0.3, -0.012, 0), (0.35, -0.012, 1), (0.6, -0.012, 1)),
     *((1.2, 0.006, 1), (2.2, 0.006, 1), (2.25, 0.006, 0), (2.5, 0.015, 0)),
@@ -39,7 +43,7 @@ which threw the jaws open and the force about by 12 %."""
 
 def open_scene(name: str) -> tuple[palpate.Scene, palpate.Task]:
     path = SCENARIOS / f"{name}.json"
-    organ = scenario.read(PUBLISHED / f"{SHIPPED[name]}.palpate")
+    organ = scenario.read(PUBLISHED / f"{SHIPPED.get(name, 'spleen')}.palpate")
     made = with_assessment(path, read_assessment(path), organ)
     return made.scene, scenario.draw_task(made).task
 
@@ -202,22 +206,40 @@ def say_us(cost: palpate.Percentiles) -> str:
     return f"{told}, at most {1e6 * cost.max:.0f}"
 
 
-@pytest.mark.verify
-@pytest.mark.parametrize("name", SHIPPED)
-def test_a_minute_of_grasps_in_the_live_loop_replays_to_the_bit(name, tmp_path):
-    """How many were missed is printed, and not asked for: it is of the machine."""
-    scene, task = open_scene(name)
-    count = round(60.0 / CYCLE)
-    devices = [write_grasps(scene, task, i, count) for i in range(len(scene.instruments))]
-    path = tmp_path / "grasps.prec"
-    options = palpate.LoopOptions(duration=count * CYCLE)
+def run_live(
+    scene: palpate.Scene, devices: list[palpate.ScriptedDevice], duration: float, path: Path
+) -> palpate.LoopReport:
+    options = palpate.LoopOptions(duration=duration)
     run = LiveRun(scene, devices, record=path, header={}, options=options, task=None)
     with run:
-        assert run.wait(count * CYCLE + 20.0)
+        assert run.wait(duration + 20.0)
     costs = run.finish()
     assert costs.alarm.kind is palpate.AlarmKind.none
+    return costs
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("name", (*SHIPPED, *PROBED))
+def test_a_minute_of_grasps_in_the_live_loop_misses_no_tick_and_replays_to_the_bit(name, tmp_path):
+    """Where the machine has such a minute to give: one that keeps the same loop waiting while its
+    hands rest in the air, where nothing is touched, keeps any waiting."""
+    scene, task = open_scene(name)
+    count = round(60.0 / CYCLE)
+    frames = PROBED.get(name, FRAMES)
+    devices = [write_grasps(scene, task, i, count, frames) for i in range(len(scene.instruments))]
+    path = tmp_path / "grasps.prec"
+    resting = [write_grasps(scene, task, i, 1, FRAMES[:1]) for i in range(len(scene.instruments))]
+    plain = run_live(scene, resting, count * CYCLE, tmp_path / "plain.prec")
+    costs = run_live(scene, devices, count * CYCLE, path)
     assert palpate.replay(scene, palpate.read_record(str(path))).equal
     told = (
         f"{costs.ticks} ticks, {costs.missed_ticks} missed, {costs.slow_ticks} slow by themselves"
     )
     print(f"{name}: {told}; {say_us(costs.cost)}, of the processor {say_us(costs.processor)}")
+    print(
+        f"hands at rest: {plain.missed_ticks} missed, {plain.slow_ticks} slow; {say_us(plain.cost)}"
+    )
+    if plain.slow_ticks == 0:
+        assert costs.slow_ticks == 0
+    if plain.missed_ticks == 0:
+        assert costs.missed_ticks == 0
