@@ -58,7 +58,6 @@ def list_samples(scene: palpate.Scene, tool: str) -> list[palpate.HapticSample]:
         palpate.KeyFrame(
             moment,
             place.point + middle + ((-DEPTH if height is None else height) + away) * outward,
-            orientation=turn,
             buttons=button if tool == "grasper" else 0,
         )
         for moment, height, button in FRAMES
@@ -66,6 +65,7 @@ def list_samples(scene: palpate.Scene, tool: str) -> list[palpate.HapticSample]:
     device, samples = palpate.ScriptedDevice(frames), []
     for tick in range(HELD.stop):
         samples.append(device.read(tick / scene.rate))
+        samples[-1].orientation = turn
     return samples
 
 
