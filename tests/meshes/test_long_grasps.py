@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,9 @@ from palpate.assessment.hand import Hand
 from palpate.assessment.publish import read_assessment, with_assessment
 from palpate.runs.live import LiveRun
 from palpate_meshes.catalogue import PUBLISHED
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "bench"))
+from tick_times import time_least, write_row  # noqa: E402
 
 SCENARIOS = Path(__file__).resolve().parents[2] / "meshes" / "scenarios"
 SHIPPED = {"gallbladder_grasp": "gallbladder", "stomach_two_graspers": "stomach"}
@@ -36,6 +40,9 @@ SETTLED, ALIKE = 2, 0.02
 that is what drift would show in."""
 HELD = slice(1900, 2200)
 """Ticks of a cycle in which nothing moves."""
+MOST_UNEVEN = 2.5
+"""[-] The slowest tick of a minute over the median, hands in the air included: nothing in a grasp
+takes a tick of its own."""
 AT_REST = 0.5
 """[m/s] Faster than that nothing of what is held moves; before hinges resisted some did with 2 m/s,
 which threw the jaws open and the force about by 12 %."""
@@ -201,45 +208,38 @@ def test_a_minute_of_grasps_has_no_alarm_and_no_drift(name):
     check(sizes, OTHERWISE[name])
 
 
+def read_ticks(
+    device: palpate.ScriptedDevice, scene: palpate.Scene, count: int
+) -> list[palpate.HapticSample]:
+    return [device.read(tick / scene.rate) for tick in range(round(count * CYCLE * scene.rate))]
+
+
 def say_us(cost: palpate.Percentiles) -> str:
     told = f"{1e6 * cost.median:.0f} us in the median, p99 {1e6 * cost.p99:.0f}"
     return f"{told}, at most {1e6 * cost.max:.0f}"
 
 
-def run_live(
-    scene: palpate.Scene, devices: list[palpate.ScriptedDevice], duration: float, path: Path
-) -> palpate.LoopReport:
-    options = palpate.LoopOptions(duration=duration)
-    run = LiveRun(scene, devices, record=path, header={}, options=options, task=None)
-    with run:
-        assert run.wait(duration + 20.0)
-    costs = run.finish()
-    assert costs.alarm.kind is palpate.AlarmKind.none
-    return costs
-
-
 @pytest.mark.verify
 @pytest.mark.parametrize("name", (*SHIPPED, *PROBED))
-def test_a_minute_of_grasps_in_the_live_loop_misses_no_tick_and_replays_to_the_bit(name, tmp_path):
-    """Where the machine has such a minute to give: one that keeps the same loop waiting while its
-    hands rest in the air, where nothing is touched, keeps any waiting."""
+def test_a_minute_of_grasps_in_the_live_loop_replays_to_the_bit(name, tmp_path):
+    """How many ticks were missed is printed, and not asked for: it is of the machine. What each
+    takes by itself is the least of three runs, in which it is the same."""
     scene, task = open_scene(name)
     count = round(60.0 / CYCLE)
     frames = PROBED.get(name, FRAMES)
     devices = [write_grasps(scene, task, i, count, frames) for i in range(len(scene.instruments))]
     path = tmp_path / "grasps.prec"
-    resting = [write_grasps(scene, task, i, 1, FRAMES[:1]) for i in range(len(scene.instruments))]
-    plain = run_live(scene, resting, count * CYCLE, tmp_path / "plain.prec")
-    costs = run_live(scene, devices, count * CYCLE, path)
+    options = palpate.LoopOptions(duration=count * CYCLE)
+    run = LiveRun(scene, devices, record=path, header={}, options=options, task=None)
+    with run:
+        assert run.wait(count * CYCLE + 20.0)
+    costs = run.finish()
+    assert costs.alarm.kind is palpate.AlarmKind.none
     assert palpate.replay(scene, palpate.read_record(str(path))).equal
     told = (
         f"{costs.ticks} ticks, {costs.missed_ticks} missed, {costs.slow_ticks} slow by themselves"
     )
     print(f"{name}: {told}; {say_us(costs.cost)}, of the processor {say_us(costs.processor)}")
-    print(
-        f"hands at rest: {plain.missed_ticks} missed, {plain.slow_ticks} slow; {say_us(plain.cost)}"
-    )
-    if plain.slow_ticks == 0:
-        assert costs.slow_ticks == 0
-    if plain.missed_ticks == 0:
-        assert costs.missed_ticks == 0
+    times = time_least(3, scene, *(read_ticks(device, scene, count) for device in devices))
+    print(f"each the least of three runs: {write_row('', times)}")
+    assert times.max() < MOST_UNEVEN * np.median(times)
