@@ -44,47 +44,48 @@ struct Plate {
   }
 };
 
-/// Below the plate as it lies now: on the far side of the triangle that is above or below the
-/// ball's centre, lifted off by what it lacks of the dent.
+/// Behind the plate as it lies now: the line up from the ball's centre, lifted off by what it lacks
+/// of the dent, passes through it an odd number of times, however it is folded.
 bool is_through(const Scene& scene, const World& world) {
   const Vec3 centre = world.instruments[0].tool.position + world.pairs[0].candidates.near.lift;
   const auto& x = world.bodies[0].tissue.position;
+  bool odd = false;
   for (const Triangle& t : scene.bodies[0].tissue.triangles) {
     const Vec3 &a = x[t[0]], &b = x[t[1]], &c = x[t[2]];
     const Vec3 normal = (b - a).cross(c - a);
-    if (!(normal.z() > 0.0)) continue;
     const auto side = [&](const Vec3& p, const Vec3& q) {
       return (p - centre).cross(q - centre).z();
     };
-    const double u = side(b, c), v = side(c, a), w = side(a, b);
-    if (u < 0.0 || v < 0.0 || w < 0.0) continue;
-    return (centre - a).dot(normal) < 0.0;
+    const auto [least, most] = std::minmax({side(b, c), side(c, a), side(a, b)});
+    if (least < 0.0 && most > 0.0) continue;
+    if ((a - centre).dot(normal) / normal.z() > 0.0) odd = !odd;
   }
-  return false;
+  return odd;
 }
 
-/// Straight down at places over the inner part, 20 mm deep.
-scenes::Flicks flick(const Scene& scene, double within, double speed, int places) {
+/// Straight down over the inner part of the plate, 20 mm deep, at one of `places` places.
+Vec3 find_start(const Plate& plate, double ball, int place, int places) {
+  const double angle = 2.399963 * place;
+  const double r = 0.7 * plate.radius() * std::sqrt((place + 0.5) / places);
+  return {r * std::cos(angle), r * std::sin(angle), 1.5 * ball};
+}
+
+void check_flicks(const Plate& plate, double speed, const std::vector<Vec3>& starts) {
+  CAPTURE(plate.edge);
+  CAPTURE(plate.thickness);
+  CAPTURE(speed);
+  const Scene scene = plate.build(0.003);
+  const double reach = starts.front().z() + 0.020;
+  const scenes::Flicks found = scenes::flick_down(scene, starts, reach, speed, is_through);
+  CHECK(found.crossed == 0);
+  CHECK(found.touched == static_cast<int>(starts.size()));
+  CHECK(found.alarms == 0);
+}
+
+void check_flicks(const Plate& plate, int places) {
   std::vector<Vec3> starts;
-  const double radius = scene.instruments[0].tool.radius, reach = 1.5 * radius + 0.020;
-  for (int place = 0; place < places; ++place) {
-    const double angle = 2.399963 * place, r = within * std::sqrt((place + 0.5) / places);
-    starts.emplace_back(r * std::cos(angle), r * std::sin(angle), 1.5 * radius);
-  }
-  return scenes::flick_down(scene, starts, reach, speed, is_through);
-}
-
-void check_flicks(const Plate& plate, double ball, int places, int most = 0) {
-  const Scene scene = plate.build(ball);
-  for (const double speed : {1.0, 3.0}) {
-    CAPTURE(plate.edge);
-    CAPTURE(plate.thickness);
-    CAPTURE(speed);
-    const scenes::Flicks found = flick(scene, 0.7 * plate.radius(), speed, places);
-    CHECK(found.crossed <= most);
-    CHECK(found.touched == places);
-    CHECK(found.alarms == 0);
-  }
+  for (int i = 0; i < places; ++i) starts.push_back(find_start(plate, 0.003, i, places));
+  for (const double speed : {1.0, 3.0}) check_flicks(plate, speed, starts);
 }
 
 struct Held {
@@ -172,15 +173,24 @@ TEST_CASE("T1, T9: a held press on a wall is quiet on edges of 2 to 20 mm" *
 }
 
 TEST_CASE("T3: no flick passes through a wall under its near field") {
-  check_flicks({0.005, 0.002}, 0.003, 3);
-  check_flicks({0.020, 0.005}, 0.003, 3);
+  check_flicks({0.005, 0.002}, 3);
+  check_flicks({0.020, 0.005}, 3);
 }
 
-TEST_CASE("T3: of 100 flicks at 1 and at 3 m/s at most one is found behind a wall, on any mesh" *
+// A dent that closes around the ball is a groove, without lift, and one whose normal swings turns
+// it: within a substep that put the ball behind the wall at these three of 1600.
+TEST_CASE("T3: nor does one whose lift falls or turns at once") {
+  const Plate thin{0.002, 0.002}, thick{0.010, 0.005};
+  check_flicks(thin, 3.0, {find_start(thin, 0.003, 1, 100)});
+  for (const double speed : {1.0, 3.0}) {
+    check_flicks(thick, speed, {find_start(thick, 0.003, 90, 100)});
+  }
+}
+
+TEST_CASE("T3: none of 100 flicks at 1 and at 3 m/s passes through a wall, on any mesh" *
           doctest::test_suite("verify")) {
   for (const double edge : kEdges) {
-    // one is not none, and not solved yet [contact: walls]
-    for (const double thickness : {0.002, 0.005}) check_flicks({edge, thickness}, 0.003, 100, 1);
+    for (const double thickness : {0.002, 0.005}) check_flicks({edge, thickness}, 100);
   }
 }
 

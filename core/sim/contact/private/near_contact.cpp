@@ -24,6 +24,9 @@ constexpr double kLeastGain = 0.3, kLeastCapsuleGain = 0.1, kLeastWallGain = 1e-
 /// how much it is lifted at most.
 constexpr double kLeftIn = 0.55, kMostLift = 1.2;
 
+/// Part of the radius that the lift keeps a ball off the surface, as the tool's own steps do.
+constexpr double kClearance = 1e-3;
+
 /// Part of the radius from which the hard law holds as well, so that nothing passes, and over which
 /// it would come to hold in full: at a whole radius half of it does.
 constexpr double kBarrierFrom = 0.65, kBarrierWidth = 0.7;
@@ -168,6 +171,23 @@ Vec3 choose_lift(const Tool& tool, const Patch& patch, const NearContacts& conta
       find_deepest(tool, contacts) + contacts.lift.dot(dent.normal) - kLeftIn * tool.radius;
   const Vec3 normal = (dent.normal - contacts.force * contacts.tilt).normalized();
   return dent.part * std::clamp(beyond, 0.0, kMostLift * tool.radius) * normal;
+}
+
+/// A ball that is lifted otherwise moves as one that takes a step, and goes no farther: half a
+/// radius, and half the way to any plane through a contact's closest point (balance_tool.cpp). A
+/// dent that closes around the ball is a groove, which has no lift, and one whose normal swings
+/// turns it: at once, either put the ball behind the surface.
+Vec3 limit_lift(const Tool& tool, const Vec3& wanted, const NearContacts& contacts) noexcept {
+  const Vec3 change = wanted - contacts.lift;
+  const double length = change.norm(), most = 0.5 * tool.radius;
+  double part = length > most ? most / length : 1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
+    const Contact& closest = contacts.closest[i];
+    const double approach = -change.dot(closest.direction);
+    const double room = 0.5 * std::max(0.0, closest.distance - kClearance * tool.radius);
+    if (part * approach > room) part = room / approach;
+  }
+  return part < 1.0 ? Vec3(contacts.lift + part * change) : wanted;
 }
 
 /// Pressures times the gain, and the barrier: a part of the hard law that rises in proportion to
@@ -339,7 +359,7 @@ void find_near_contacts(const Shape& shape, const TouchedSurface& surface, const
     contacts.push += gain.force * soft.force * soft.direction;
     contacts.contact[i] = combine(tool, contacts.closest[i], soft, gain);
   }
-  contacts.next_lift = choose_lift(tool, patch, contacts);
+  contacts.next_lift = limit_lift(tool, choose_lift(tool, patch, contacts), contacts);
   contacts.centre = p;
   contacts.found = true;
 }
