@@ -35,9 +35,9 @@ OTHERWISE = {"gallbladder_grasp": 0.15, "stomach_two_graspers": 0.2}
 """[-] by which a later grasp of the same place may pull otherwise than the first: the second one
 pulls 4 % less on the gallbladder, the third 10 %, and the second 13 % less on the stomach's antrum
 (core/CONTACT.md)."""
-SETTLED, ALIKE = 2, 0.02
-"""Grasps after which a place is as those leave it, and [-] how far the others are from their mean:
-that is what drift would show in."""
+SETTLED, ALIKE, TREND = 2, 0.05, 0.02
+"""Grasps after which a place is as those leave it; [-] how far the others are from their mean, and
+the mean of the first half of them from that of the second: that is what drift would show in."""
 HELD = slice(1900, 2200)
 """Ticks of a cycle in which nothing moves."""
 MOST_UNEVEN = 2.5
@@ -103,6 +103,8 @@ def check(sizes: np.ndarray, otherwise: float) -> None:
     if len(means) > SETTLED + 1:
         later = means[SETTLED:]
         assert (np.abs(later / later.mean(axis=0) - 1.0) < ALIKE).all(), later
+        first, second = (half.mean(axis=0) for half in np.array_split(later, 2))
+        assert (np.abs(second / first - 1.0) < TREND).all(), later
     assert sizes[:, -100:].max() == 0.0, "something is held on"
 
 
