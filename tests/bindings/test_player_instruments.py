@@ -11,16 +11,18 @@ import palpate
 import pytest
 from palpate import scenario
 from palpate.assessment.publish import read_assessment, with_assessment
-from palpate.player.sentences import format_number, say_forces
+from palpate.player.sentences import format_number, name_wrong, say_forces
 from palpate.player.trainee_window import Phase
 from palpate.runs.pinch import HARMFUL, LEAST_PINCH, Pinch, find_pinches, tell_pinch
 from palpate.runs.play import open_play
 from palpate.runs.script_file import write_script_file
+from palpate.runs.stretch import TORN, StretchGauge
 from palpate.viewport.instruments import see_instruments
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from scipy.spatial.transform import Rotation
 from short_tasks import MESHES
-from surfaces import organ_scene
+from surfaces import MEMBRANE, ellipsoid, organ_scene
 from trainees import middle, press_and_wait
 from windows import LEFT, RIGHT, grab, keep_picture, move, turn_wheel
 
@@ -187,6 +189,44 @@ def test_jaws_that_press_have_a_row_and_jaws_that_do_not_have_none():
     ]  # fmt: skip
 
 
+def test_what_jaws_hold_and_how_far_that_is_stretched_have_a_row_each():
+    def say(*stretches: float) -> list[tuple[str, str]]:
+        pinches = {
+            index: Pinch(6.24, 84e3, stretch=stretch) for index, stretch in enumerate(stretches)
+        }
+        return say_forces(frame_of(*[(6.24, 84e3)] * len(stretches)), pinches)
+
+    assert say(1.423) == [("Jaws", "6.2 N, 84 kPa"), ("Stretch", "1.42")]
+    assert say(2.5)[1:] == [("Stretch", "2.50 > 2.4")]
+    assert [name for name, _ in say(1.1, 1.2)] == [
+        "Instrument 1", "Jaws 1", "Stretch 1", "Instrument 2", "Jaws 2", "Stretch 2",
+    ]  # fmt: skip
+    wrong = {0: Pinch(6.0, 84e3, stretch=2.5), 1: Pinch(6.0, 357e3, stretch=1.5)}
+    assert name_wrong(wrong, several=True) == ["Jaws 2", "Stretch 1"]
+
+
+def test_a_gauge_finds_the_largest_stretch_about_an_instrument():
+    """By hand: a sheet drawn out along x by a half, and thinned along y, except far away."""
+    sheet = ellipsoid((0.03, 0.025, 0.02), 3)
+    scene = palpate.build_scene(palpate.make_scene(palpate.build_mass_spring(sheet, MEMBRANE, 50)))
+    gauge, x = StretchGauge(scene), np.asarray(scene.bodies[0].tissue.rest_position)
+
+    def measure(positions: np.ndarray, at: np.ndarray) -> tuple[float, float]:
+        one = SimpleNamespace(tool_position=at)
+        return gauge.measure(SimpleNamespace(instruments=(one,), positions=(positions,)), 0)
+
+    top = x[x[:, 2].argmax()]
+    assert measure(x, top) == (pytest.approx(1.0), TORN)
+    turn = Rotation.from_rotvec((0.3, -0.2, 0.9)).as_matrix()
+    assert measure(x @ turn.T, turn @ top) == (pytest.approx(1.0), TORN)
+    drawn = x * (1.5, 0.8, 1.0)
+    found, _ = measure(drawn, drawn[x[:, 2].argmax()])
+    assert found == pytest.approx(1.5, abs=0.01) and found <= 1.5 + 1e-12
+    assert measure(drawn, np.array([1.0, 0.0, 0.0])) == (1.0, TORN)
+    scene.bodies[0].tear_stretch = 1.6
+    assert StretchGauge(scene).rests[0].bound == 1.6
+
+
 def test_an_instrument_that_tissue_keeps_from_turning_is_told():
     def say(frame) -> list[tuple[str, str]]:
         return say_forces(frame, find_pinches(frame))
@@ -260,12 +300,14 @@ def test_what_the_grasper_of_the_gallbladder_presses_with_is_seen_while_it_holds
     window.shown.show(frame)
     (one,) = frame.instruments
     assert hud.isVisible() and one.pinch > 1.0 and one.pad_pressure > 1e4
-    assert hud.rows == (("Jaws", tell_pinch(Pinch(one.pinch, one.pad_pressure))),)
+    jaws, (name, stretch) = hud.rows
+    assert jaws == ("Jaws", tell_pinch(Pinch(one.pinch, one.pad_pressure)))
+    assert name == "Stretch" and 1.1 < float(stretch) < TORN
     assert hud.wrong == ({"Jaws"} if one.pad_pressure > HARMFUL else set())
     keep_picture(window, "player_jaws")
     window._timer.start()
     qtbot.waitUntil(lambda: window.phase is Phase.over, timeout=2 * PATIENCE)
-    assert hud.rows == () and len({name for name, _ in seen}) == 1
+    assert hud.rows == () and {name for name, _ in seen} == {"Jaws", "Stretch"}
 
 
 # ---------------------------------------------------------------- instruments as they are drawn

@@ -8,9 +8,10 @@ import numpy as np
 import palpate
 from palpate.player.attendance import Attendance
 from palpate.player.host import Host
-from palpate.player.sentences import name_jaws, say_damped, say_forces, say_held, say_slow
+from palpate.player.sentences import name_wrong, say_damped, say_forces, say_held, say_slow
 from palpate.runs.live import Frame
 from palpate.runs.pinch import find_pinches
+from palpate.runs.stretch import StretchGauge
 from palpate.viewport import show_frame
 
 SLOW = 0.02
@@ -25,6 +26,7 @@ class RunView:
     def __init__(self, window: Host, attendance: Attendance):
         self._window, self._over = window, window.over
         self._attendance = attendance
+        self._gauge: StretchGauge | None = None
         self.reset()
 
     def reset(self) -> None:
@@ -54,9 +56,11 @@ class RunView:
     def _show_forces(self, frame: Frame) -> None:
         """Of each instrument, where there are several, and of what its jaws hold."""
         drawn = self._window.play.drawn
-        pinches = find_pinches(frame, None if drawn is None else drawn.task)
-        several = len(frame.instruments) > 1
-        wrong = [name_jaws(index, several) for index, one in pinches.items() if one.is_wrong]
+        scene = self._window.scene
+        if self._gauge is None or self._gauge.scene is not scene:
+            self._gauge = StretchGauge(scene)
+        pinches = find_pinches(frame, None if drawn is None else drawn.task, self._gauge)
+        wrong = name_wrong(pinches, several=len(frame.instruments) > 1)
         rows, hud = say_forces(frame, pinches), self._window.view.hud
         more = len(rows) != len(hud.rows)
         hud.show_rows(rows, wrong)

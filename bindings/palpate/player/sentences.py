@@ -14,7 +14,7 @@ from palpate.command.verb import Report
 from palpate.runs.alarms import advise_hand, say_alarm, say_safeguard
 from palpate.runs.coupling import FELT_WITHIN
 from palpate.runs.live import Frame
-from palpate.runs.pinch import Pinch, tell_pinch
+from palpate.runs.pinch import Pinch, tell_pinch, tell_stretch
 from palpate.translation.numbers import say_digits
 from palpate.viewport.hint_line import PLAIN, Means, say_hands, say_jaws, say_taking, say_turns
 
@@ -168,8 +168,9 @@ def say_keys() -> list[tuple[str, str]]:
 
 def say_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, str]]:
     """The force on the hand of each of several instruments, where of one the force bar tells it;
-    how hard jaws press; whether tissue keeps one from turning as its hand does; and how much softer
-    than it is a tissue is felt through a device that bears no more."""
+    how hard jaws press, and how far what is about them is stretched; whether tissue keeps one from
+    turning as its hand does; and how much softer than it is a tissue is felt through a device that
+    bears no more."""
     name = translate("Player", "Instrument %1")
     several = len(frame.instruments) > 1
     rows = []
@@ -179,6 +180,9 @@ def say_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, st
             rows.append((name.replace("%1", str(index + 1)), f"{force} N"))
         if index in pinches:
             rows.append((name_jaws(index, several), say_digits(tell_pinch(pinches[index]))))
+            if pinches[index].stretch > 0.0:
+                told = say_digits(tell_stretch(pinches[index]))
+                rows.append((name_stretch(index, several), told))
         if one.turn_limited:
             turns = translate("Player", "Turning %1") if several else translate("Player", "Turning")
             rows.append(
@@ -195,6 +199,21 @@ def name_jaws(index: int, several: bool) -> str:
     if not several:
         return translate("Player", "Jaws")
     return translate("Player", "Jaws %1").replace("%1", str(index + 1))
+
+
+def name_stretch(index: int, several: bool) -> str:
+    """Of what the jaws of which instrument hold."""
+    if not several:
+        return translate("Player", "Stretch")
+    return translate("Player", "Stretch %1").replace("%1", str(index + 1))
+
+
+def name_wrong(pinches: Mapping[int, Pinch], several: bool) -> list[str]:
+    """The rows whose number is beyond what it may be."""
+    wrong = [name_jaws(index, several) for index, one in pinches.items() if one.is_wrong]
+    return wrong + [
+        name_stretch(index, several) for index, one in pinches.items() if one.is_overstretched
+    ]
 
 
 def format_number(value: float, decimals: int) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import palpate
 from palpate.assessment.author import LIMIT_BOUNDS
 from palpate.runs.live import Frame
+from palpate.runs.stretch import TORN, StretchGauge
 
 HARMFUL = LIMIT_BOUNDS["pad_pressure"]
 """[Pa] on a pad above which tissue is taken to be harmed, where no task says otherwise: human bowel
@@ -26,17 +27,32 @@ class Pinch:
     """[Pa] on what is touched of a pad."""
     bound: float = HARMFUL
     """[Pa] above which it is wrong."""
+    stretch: float = 0.0
+    """[-] the largest of the tissue about them; 0: it was not measured."""
+    stretch_bound: float = TORN
+    """[-] above which it is wrong."""
 
     @property
     def is_wrong(self) -> bool:
         return self.pressure > self.bound
 
+    @property
+    def is_overstretched(self) -> bool:
+        return self.stretch > self.stretch_bound
 
-def find_pinches(frame: Frame, task: palpate.Task | None = None) -> dict[int, Pinch]:
+
+def find_pinches(
+    frame: Frame, task: palpate.Task | None = None, gauge: StretchGauge | None = None
+) -> dict[int, Pinch]:
     """Of the instruments whose jaws press on something, by their index; a task may bear less, or
-    more, than HARMFUL."""
+    more, than HARMFUL. Stretches are measured by a gauge."""
     return {
-        index: Pinch(one.pinch, one.pad_pressure, find_bound(task, index))
+        index: Pinch(
+            one.pinch,
+            one.pad_pressure,
+            find_bound(task, index),
+            *(() if gauge is None else gauge.measure(frame, index)),
+        )
         for index, one in enumerate(frame.instruments)
         if one.pinch >= LEAST_PINCH
     }
@@ -58,3 +74,9 @@ def tell_pinch(pinch: Pinch) -> str:
     """Force and pressure; where that is wrong, beyond what it is."""
     told = f"{pinch.force:.1f} N, {1e-3 * pinch.pressure:.0f} kPa"
     return f"{told} > {1e-3 * pinch.bound:.0f}" if pinch.is_wrong else told
+
+
+def tell_stretch(pinch: Pinch) -> str:
+    """Of the length at rest; where that is wrong, beyond what it is."""
+    told = f"{pinch.stretch:.2f}"
+    return f"{told} > {pinch.stretch_bound:.1f}" if pinch.is_overstretched else told

@@ -1101,6 +1101,14 @@
         <translation>Çeneler {number}</translation>
     </message>
     <message>
+        <source>Stretch</source>
+        <translation>Gerilme</translation>
+    </message>
+    <message>
+        <source>Stretch {number}</source>
+        <translation>Gerilme {number}</translation>
+    </message>
+    <message>
         <source>Turning</source>
         <translation>Dönüş</translation>
     </message>

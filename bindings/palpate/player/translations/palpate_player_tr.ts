@@ -392,6 +392,14 @@
         <translation>dokuca tutuluyor</translation>
     </message>
     <message>
+        <source>Stretch</source>
+        <translation>Gerilme</translation>
+    </message>
+    <message>
+        <source>Stretch %1</source>
+        <translation>Gerilme %1</translation>
+    </message>
+    <message>
         <source>Feels softer</source>
         <translation>Daha yumuşak hissedilir</translation>
     </message>

@@ -12,7 +12,8 @@ from palpate.runs.alarms import advise_design, say_alarm, say_element
 from palpate.runs.cause import Cause
 from palpate.runs.element import Element
 from palpate.runs.live import Frame, LiveRun
-from palpate.runs.pinch import Pinch, find_pinches, tell_pinch
+from palpate.runs.pinch import Pinch, find_pinches, tell_pinch, tell_stretch
+from palpate.runs.stretch import StretchGauge
 from palpate.scene.surfaces import join_torn
 from palpate.translation.numbers import say_digits
 from palpate.viewport import View, see_instruments
@@ -67,6 +68,7 @@ class Trial(QObject):
             scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position
         )[:shown]
         self._top = LEAST_TOP
+        self._gauge = StretchGauge(scene)
         diagonal = float(palpate.compute_diagonal(self._rest))
         view.force_scale = ARROW * diagonal
         self._most = LONGEST / ARROW
@@ -127,7 +129,7 @@ class Trial(QObject):
         size = float(np.linalg.norm(frame.force))
         self._show_force(frame, size)
         share = frame.cost * self.scene.rate
-        pinches = find_pinches(frame)
+        pinches = find_pinches(frame, gauge=self._gauge)
         several = len(frame.instruments) > 1
         rows = [
             *name_forces(frame, pinches),
@@ -137,6 +139,9 @@ class Trial(QObject):
         if (held := name_safeguard(max(frame.safeguards))) is not None:
             rows.append((tr("Safeguard"), held))
         wrong = [name_jaws(index, several) for index, one in pinches.items() if one.is_wrong]
+        wrong += [
+            name_stretch(index, several) for index, one in pinches.items() if one.is_overstretched
+        ]
         self.view.hud.show_rows(rows, wrong)
 
     def _show_force(self, frame: Frame, size: float) -> None:
@@ -161,6 +166,9 @@ def name_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, s
         rows.append((name, say_digits(f"{float(np.linalg.norm(one.force)):.2f} N")))
         if index in pinches:
             rows.append((name_jaws(index, several), say_digits(tell_pinch(pinches[index]))))
+            if pinches[index].stretch > 0.0:
+                told = say_digits(tell_stretch(pinches[index]))
+                rows.append((name_stretch(index, several), told))
         if one.turn_limited:
             turns = fill(tr("Turning {number}"), number=index + 1) if several else tr("Turning")
             rows.append((turns, tr("held by tissue")))
@@ -170,6 +178,11 @@ def name_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, s
 def name_jaws(index: int, several: bool) -> str:
     """Of which instrument they are, where there are several."""
     return fill(tr("Jaws {number}"), number=index + 1) if several else tr("Jaws")
+
+
+def name_stretch(index: int, several: bool) -> str:
+    """Of what the jaws of which instrument hold."""
+    return fill(tr("Stretch {number}"), number=index + 1) if several else tr("Stretch")
 
 
 def name_safeguard(safeguard: palpate.Safeguard) -> str | None:
