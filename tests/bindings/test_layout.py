@@ -112,7 +112,7 @@ def test_no_more_steps_are_kept_than_there_is_room_for():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (lambda made: made | {"version": 6}, "version: got 6"),
+        (lambda made: made | {"version": 7}, "version: got 7"),
         (lambda made: made | {"gravity": 1}, "unknown field"),
         (lambda made: made | {"now": 7}, "got 7, expected an object"),
         (lambda made: made["now"]["bodies"][0].pop("sha256") and made, "no sha256"),

@@ -217,7 +217,7 @@ void settle(const JawSurroundings& around, const AnchorSprings& anchors, bool so
 /// what is felt at the start less what was felt before; where there is none, the s that comes
 /// nearest. A hand at its limit feels no more than that, and a tool that has not moved has no way
 /// to go a part of.
-void hold_back(const JawSurroundings& around, const ToolState& state, double most_fall,
+bool hold_back(const JawSurroundings& around, const ToolState& state, double most_fall,
                const Vec3& start, JawPlace& place) noexcept {
   const double stiffness = around.coupling.stiffness;
   const bool changes = state.felt_change > 0.0;
@@ -225,13 +225,29 @@ void hold_back(const JawSurroundings& around, const ToolState& state, double mos
   const Vec3 from = stiffness * (start - around.hand) - state.felt_before;
   const Vec3 change = stiffness * (place.position - start);
   const Vec3 felt = limit(stiffness * (place.position - around.hand), around.coupling.force_max);
-  if (!((felt - state.felt_before).squaredNorm() > most * most)) return;
-  if (!changes && !(felt.squaredNorm() < state.felt_before.squaredNorm())) return;
+  if (!((felt - state.felt_before).squaredNorm() > most * most)) return false;
+  if (!changes && !(felt.squaredNorm() < state.felt_before.squaredNorm())) return false;
   const double a = change.squaredNorm(), b = from.dot(change);
-  if (!(a > 0.0)) return;
+  if (!(a > 0.0)) return false;
   const double root = b * b - a * (from.squaredNorm() - most * most);
   const double part = (std::sqrt(std::max(0.0, root)) - b) / a;
   place.position = start + std::clamp(part, 0.0, 1.0) * (place.position - start);
+  return true;
+}
+
+/// A tool that is held back has gone straight, where Newton's steps may have gone around a fold,
+/// and its jaws have turned as if it had gone all of its way. So all of that is one step from where
+/// the substep begins, and goes no farther than a step may.
+void go_straight(const JawSurroundings& around, const JawPlace& start, JawPlace& place) noexcept {
+  const Vec3 position = std::exchange(place.position, start.position);
+  const double angle = place.jaws.angle(), from = start.jaws.angle();
+  turn_to(around, from, place);
+  follow_sides(around, place);
+  const Step whole{position - start.position, angle - from};
+  const Step step = shorten(around, place, compute_touch(around, place), whole);
+  const bool arrives = step.move == whole.move && step.turn == whole.turn;
+  place.position = arrives ? position : Vec3(start.position + step.move);
+  turn_to(around, arrives ? angle : from + step.turn, place);
 }
 
 /// Writes what the jaws do to the surfaces; returns the sum of forces on the tool [N].
@@ -332,7 +348,8 @@ Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
       .reach = find_reach(tool),
       .drag = closes ? 2.0 * state.grip_limit * arm / (kHingeRate * dt) : 0.0};
   const Vec3 before = state.position;
-  if (!begin(around, state)) {
+  const bool near = begin(around, state);
+  if (!near) {
     state.position = hand_position;
     state.jaw_angle = state.jaw_wanted;
   }
@@ -342,9 +359,11 @@ Vec3 balance_jaws(const Tool& tool, const Coupling& coupling, const Vec3& hand_p
   const AnchorSprings anchors = find_anchor_springs(tool, place.jaws, surfaces[0], state);
   bool soft = false;
   for (const TouchedSurface& surface : surfaces[0]) soft = soft || surface.near;
+  const JawPlace start = place;
   settle(around, anchors, soft, place);
-  if (state.felt_change > 0.0 || most_fall > 0.0) {
-    hold_back(around, state, most_fall, before, place);
+  const bool limited = state.felt_change > 0.0 || most_fall > 0.0;
+  if (limited && hold_back(around, state, most_fall, before, place) && near) {
+    go_straight(around, start, place);
   }
   state.position = place.position;
   state.jaw_angle = place.jaws.angle();
