@@ -85,6 +85,7 @@ class CheckRun(QObject):
         self.with_force = bool(play.arm)
         if isinstance(hand, palpate.SurfacePointer):
             self._hand = window.view.tool = PointerHand(window.view, hand, wall)
+        window.marks.clear()
         window.view.use_appearance(WALL)
         window.view.show_surface(join_rest_surfaces(wall), join_triangles(wall))
         window.view.frame_all()
@@ -218,6 +219,7 @@ class CheckRun(QObject):
         view.show_surface(join_rest_surfaces(scene), join_triangles(scene))
         view.show_colours(find_colours(self.window.play.scenario))
         view.frame_all()
+        self.window.marks.show_first()
         self.over.force.rest()
         self.over.reset()
         self.over.place()

@@ -118,6 +118,7 @@ class Ghost(QObject):
 
     def _show(self, frame: Frame) -> None:
         show_frame(self.window.view, self.window.scene, frame)
+        self.window.marks.show(frame)
         self.window.play.state = frame.task
         self.over.tell_task()
         self.over.place()
@@ -135,4 +136,5 @@ class Ghost(QObject):
         view.move_surface(join_rest_surfaces(self.window.scene))
         view.show_torn(None)
         view.move_rigid(self.window.scene.rigid)
+        self.window.marks.show_first()
         self._say("")

@@ -9,6 +9,7 @@ import palpate
 from palpate.player.boards import Board
 from palpate.player.device_button import DeviceButton
 from palpate.player.overlays import Overlays
+from palpate.player.place_marks import PlaceMarks
 from palpate.runs.play import Play
 from palpate.viewport import View
 
@@ -19,6 +20,7 @@ class Host(Protocol):
     play: Play
     over: Overlays
     view: View
+    marks: PlaceMarks
     scene: palpate.Scene
     language: str
     theme: str

@@ -34,11 +34,13 @@ class RunView:
         self.time = self.force = 0.0
         """[s] of the run, and [N] on the hand, as last seen."""
         self._second = self._missed = self._damped = 0
+        self._window.marks.show_first()
 
     def show(self, frame: Frame) -> None:
         view, scene, over = self._window.view, self._window.scene, self._over
         self.time = frame.time
         show_frame(view, scene, frame)
+        self._window.marks.show(frame)
         view.force_scale = ARROW * view.scenery.radius / over.force.range
         view.show_force(frame.tool_position, frame.force)
         self.force = float(np.linalg.norm(frame.force))

@@ -19,6 +19,7 @@ from palpate.player.device_button import DeviceButton
 from palpate.player.device_watch import DeviceWatch
 from palpate.player.hand_work import Preparation
 from palpate.player.overlays import Overlays
+from palpate.player.place_marks import PlaceMarks
 from palpate.player.run_view import RunView
 from palpate.player.sentences import say_end, translate
 from palpate.player.style import build_palette, build_style
@@ -77,6 +78,7 @@ class TraineeWindow(QWidget):
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self.view)
         self.over = Overlays(self.view, play)
+        self.marks = PlaceMarks(self.view, play)
         self.attendance = Attendance(self, self)
         self.preparation = Preparation(self, self)
         self.shown = RunView(self, self.attendance)
@@ -241,6 +243,7 @@ class TraineeWindow(QWidget):
             return
         self.over.force.rest()
         self.view.hud.show_rows(())
+        self.marks.clear()
         self._watch = DeviceWatch()  # else it keeps the port of the device
         self.view.tool = None
         self.view.hint.say(None)
@@ -277,6 +280,7 @@ class TraineeWindow(QWidget):
         self.theme = name
         self.over.menu.themes.choose(name)
         self.view.use_theme(name)
+        self.marks.use_theme(name)
         self.setPalette(build_palette(name))
         self._use_letters()
 

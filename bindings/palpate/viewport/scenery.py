@@ -188,7 +188,7 @@ class Scenery:
         """A ball, and its dent in the surface as that stands now."""
         self._draw_dent(centre, radius)
         if centre is None:
-            self._hide("tool")
+            self.hide_part("tool")
             return
         self.show_ball("tool", centre, radius)
 
@@ -209,7 +209,7 @@ class Scenery:
     ) -> None:
         """An arrow between two points [m], its shaft of a radius [m]; none without them."""
         if tail is None or point is None:
-            self._hide("arrow")
+            self.hide_part("arrow")
             self._arrow = ()
             return
         arrow = (*np.ravel(tail), *np.ravel(point), radius)
@@ -221,8 +221,8 @@ class Scenery:
         self, centre: ArrayLike | None, normal: ArrayLike = (0, 0, 1), radius: float = 0.0
     ) -> None:
         if centre is None or not radius > 0.0:
-            self._hide("ring")
-            self._hide("rim")
+            self.hide_part("ring")
+            self.hide_part("rim")
             return
         thickness = RING_THICKNESS * self.radius
         for name, appearance, reach in (
@@ -395,7 +395,8 @@ class Scenery:
         self.version += 1
         return self._things[name]
 
-    def _hide(self, name: str) -> None:
+    def hide_part(self, name: str) -> None:
+        """Until it is shown again; its triangles stay."""
         if name in self._things and self._things[name].visible:
             self._things[name].visible = False
             self.version += 1

@@ -179,6 +179,11 @@ class ViewBase(ViewEvents):
         self.scenery.show_part(name, shape, appearance)
         self.update()
 
+    def hide_part(self, name: str) -> None:
+        """Until it is shown again; nothing where there is none of that name."""
+        self.scenery.hide_part(name)
+        self.update()
+
     @property
     def shows_force(self) -> bool:
         """Whether a force is drawn as an arrow."""
