@@ -123,6 +123,24 @@ inline Scene make_grasped_sheet(const Tool& tool, double coupling) {
   return build_scene(std::move(scene));
 }
 
+/// The same sheet as a wall of prisms, 1.5 mm thick and of 0.1 MPa.
+inline Scene make_grasped_plate(const Tool& tool, double coupling) {
+  SurfaceOptions options;
+  options.home_stiffness = 1e8;
+  options.drag = 60.0;
+  Material wall = make_material({.damping_ratio = 0.3});
+  wall.young_modulus = 1e5;
+  wall.poisson_ratio = 0.45;
+  wall.wall_thickness = 0.0015;
+  Scene scene;
+  scene.bodies[0].kernel = kernel_under_test();
+  scene.bodies[0].tissue = build_shell(make_slab({0.05, 0.016, 0.006}, 0.0015), wall, options);
+  scene.bodies[0].contact_modulus = 1e5 / (1.0 - 0.45 * 0.45);
+  scene.instruments[0].tool = tool;
+  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
+  return build_scene(std::move(scene));
+}
+
 /// A block of 30 x 30 x 10 mm, held at x = 0, with its rim at x = 30 mm, by its near field.
 inline Scene make_grasped_block(const Tool& tool, double coupling,
                                 TissueModel (*build)(const SolidMesh&, const Material&,
