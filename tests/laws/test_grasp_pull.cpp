@@ -16,28 +16,6 @@ using scenes::GraspingHand;
 
 namespace {
 
-/// The same bar as a solid of 0.1 MPa, of cells of 2 mm, held at x = 0.
-Scene make_grasped_bar(const Tool& tool, double coupling) {
-  SolidMesh solid = scenes::make_block({0.05, 0.016, 0.006}, {25, 8, 3});
-  SolidOptions options;
-  options.nodal_share = 0.9;
-  options.drag = 200.0;
-  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
-    solid.vertices[i].x() += 0.025;
-    if (solid.vertices[i].x() < 1e-6) options.fixed.push_back(static_cast<int>(i));
-  }
-  Material material = scenes::make_material({.damping_ratio = 0.3});
-  material.young_modulus = 1e5;
-  material.poisson_ratio = 0.45;
-  Scene scene;
-  scene.bodies[0].kernel = scenes::kernel_under_test();
-  scene.bodies[0].tissue = build_solid(solid, material, options);
-  scene.bodies[0].contact_modulus = 1e5 / (1.0 - 0.45 * 0.45);
-  scene.instruments[0].tool = tool;
-  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
-  return build_scene(std::move(scene));
-}
-
 /// Means over a slide, [N] each.
 struct Pull {
   double felt = 0.0;     // along the hand's way
@@ -120,7 +98,7 @@ TEST_CASE("G1: along a flat solid what sticks carries mu N, beside what its dent
   for (const double friction : {0.1, 0.3}) {
     CAPTURE(friction);
     const Tool tool = scenes::make_parallel_grasper(friction, 0.2);
-    const Pull pull = measure_pull(make_grasped_bar(tool, kCoupling), 0.004);
+    const Pull pull = measure_pull(scenes::make_grasped_bar(tool, kCoupling, build_solid), 0.004);
     MESSAGE("N ", pull.pinch, ", mu ", friction, ": ", pull.felt, " N, of which friction ",
             pull.carried, ", ", pull.carried / (friction * pull.pressed), " of mu N");
     CHECK(pull.carried == doctest::Approx(friction * pull.pressed).epsilon(0.03));

@@ -117,3 +117,10 @@ TEST_CASE("G3: so do a wall of prisms and solids" * doctest::test_suite("landing
   check_release("linear solid", scenes::make_grasped_block(gentle, kCoupling, build_linear_solid),
                 0.001);
 }
+
+// Loads that a hand feels, of a solid that bears them.
+TEST_CASE("G3: so do solids that are drawn out by half a newton" * doctest::test_suite("landing")) {
+  const Tool tool = scenes::make_parallel_grasper(kFriction, 0.3);
+  check_release("bar", scenes::make_grasped_bar(tool, kCoupling, build_solid), 0.003);
+  check_release("linear bar", scenes::make_grasped_bar(tool, kCoupling, build_linear_solid), 0.003);
+}

@@ -141,6 +141,30 @@ inline Scene make_grasped_plate(const Tool& tool, double coupling) {
   return build_scene(std::move(scene));
 }
 
+/// The same bar of solid, 0.1 MPa, with cells of 2 mm, held at x = 0.
+inline Scene make_grasped_bar(const Tool& tool, double coupling,
+                              TissueModel (*build)(const SolidMesh&, const Material&,
+                                                   const SolidOptions&)) {
+  SolidMesh solid = make_block({0.05, 0.016, 0.006}, {25, 8, 3});
+  SolidOptions options;
+  options.nodal_share = 0.9;
+  options.drag = 200.0;
+  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
+    solid.vertices[i].x() += 0.025;
+    if (solid.vertices[i].x() < 1e-6) options.fixed.push_back(static_cast<int>(i));
+  }
+  Material material = make_material({.damping_ratio = 0.3});
+  material.young_modulus = 1e5;
+  material.poisson_ratio = 0.45;
+  Scene scene;
+  scene.bodies[0].kernel = kernel_under_test();
+  scene.bodies[0].tissue = build(solid, material, options);
+  scene.bodies[0].contact_modulus = 1e5 / (1.0 - 0.45 * 0.45);
+  scene.instruments[0].tool = tool;
+  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
+  return build_scene(std::move(scene));
+}
+
 /// A block of 30 x 30 x 10 mm, held at x = 0, with its rim at x = 30 mm, by its near field.
 inline Scene make_grasped_block(const Tool& tool, double coupling,
                                 TissueModel (*build)(const SolidMesh&, const Material&,
