@@ -52,10 +52,14 @@ def rest(play: Play) -> tuple[np.ndarray, ...]:
     return tuple(np.array(surface.vertices) for surface in play.drawn.task.surfaces)
 
 
-def frame_of(play: Play, *status, positions=None, rigid=()) -> SimpleNamespace:
+def frame_of(play: Play, *status, positions=None, rigid=(), pinches=(0.0, 0.0)) -> SimpleNamespace:
     steps = [SimpleNamespace(status=each) for each in status]
-    x = rest(play) if positions is None else positions
-    return SimpleNamespace(task=SimpleNamespace(steps=steps), positions=x, rigid=rigid)
+    return SimpleNamespace(
+        task=SimpleNamespace(steps=steps),
+        positions=rest(play) if positions is None else positions,
+        rigid=rigid,
+        instruments=[SimpleNamespace(pinch=pinch) for pinch in pinches],
+    )
 
 
 def seen(view) -> dict[str, np.ndarray]:
@@ -96,6 +100,21 @@ def test_a_ring_goes_where_the_tissue_goes_and_is_laid_only_once(view, spleen, m
     marks.show(frame_of(spleen, DONE, ACTIVE, WAITING, positions=(np.where(near[:, None], x, 0),)))
     (ring,) = seen(view).values()
     assert np.allclose(ring, before, atol=1e-6)
+
+
+def test_what_jaws_have_taken_has_no_ring_that_they_would_draw_in(view, open_shipped):
+    play = open_shipped("stomach_two_graspers", "published/stomach.palpate")
+    marks, status = PlaceMarks(view, play), (ACTIVE, ACTIVE, *[WAITING] * 4)
+    marks.show(frame_of(play, *status))
+    both = set(seen(view))
+    assert len(both) == 2
+
+    marks.show(frame_of(play, *status, pinches=(3.0, 0.0)))
+    assert len(seen(view)) == 1
+    marks.show(frame_of(play, *status, pinches=(3.0, 2.0)))
+    assert not seen(view)
+    marks.show(frame_of(play, *status))
+    assert set(seen(view)) == both
 
 
 def test_a_path_that_is_traced_is_drawn_and_goes_with_its_step(view, spleen):

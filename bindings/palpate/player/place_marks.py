@@ -6,7 +6,7 @@ What is to be found is never marked.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,6 +18,7 @@ from palpate.player.style import ACCENTS
 from palpate.render import Appearance, Shape
 from palpate.render.hard_parts import Pose
 from palpate.runs.live import Frame
+from palpate.runs.pinch import LEAST_PINCH
 from palpate.runs.play import Play
 from palpate.viewport import View
 from palpate.viewport.draped_line import Drape, DrapedLine
@@ -78,7 +79,10 @@ class PlaceMarks:
             for number, step in enumerate(frame.task.steps)
             if step.status is palpate.StepStatus.active
         ]
-        self._show(active, frame.positions, frame.rigid)
+        holding = frozenset(
+            index for index, one in enumerate(frame.instruments) if one.pinch >= LEAST_PINCH
+        )
+        self._show(active, frame.positions, frame.rigid, holding)
 
     def show_first(self) -> None:
         """Those of the steps with which an attempt begins, on the tissue at rest."""
@@ -99,14 +103,18 @@ class PlaceMarks:
         self._draw(self._shown)
 
     def _show(
-        self, active: Sequence[int], positions: Sequence[ArrayLike], rigid: Sequence[Pose]
+        self,
+        active: Sequence[int],
+        positions: Sequence[ArrayLike],
+        rigid: Sequence[Pose],
+        holding: Collection[int] = (),
     ) -> None:
         drawn = self._play.drawn
         if drawn is not self._drawn:
             self._drawn, self._marks = drawn, {}
             self._steps = () if drawn is None else drawn.task.steps
         thickness, shapes = self._find_thickness(), dict[str, Shape]()
-        for number, traced in list_marked([self._steps[each] for each in active]).items():
+        for number, traced in list_marked([self._steps[each] for each in active], holding).items():
             mark = self._find_mark(number)
             if isinstance(mark, Beside):
                 shapes[f"place {number}"] = self._build_beside(mark, rigid)
@@ -141,14 +149,17 @@ class PlaceMarks:
         return build_ring(centre, towards, mark.radius, THIN * mark.radius)
 
 
-def list_marked(steps: Sequence[palpate.TaskStep]) -> dict[int, bool]:
-    """The places of steps, and of each whether its path is to be traced."""
+def list_marked(
+    steps: Sequence[palpate.TaskStep], holding: Collection[int] = ()
+) -> dict[int, bool]:
+    """The places of steps, and of each whether its path is to be traced. What jaws have taken
+    needs none, and would draw it in between them: `holding` are the instruments that have."""
     marked: dict[int, bool] = {}
     for step in steps:
         if step.verb is palpate.TaskVerb.find:
             continue
         into = step.space if step.verb is palpate.TaskVerb.carry else -1
-        for place in (step.place, into):
+        for place in (-1 if step.instrument in holding else step.place, into):
             if place >= 0:
                 traced = step.verb is palpate.TaskVerb.trace
                 marked[place] = marked.get(place, False) or traced
