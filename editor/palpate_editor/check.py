@@ -15,6 +15,7 @@ from palpate import scenario
 from palpate.command.verb import Report
 from palpate.files.refusal import split_sentence
 from palpate.scene.nearest import find_step
+from palpate.scene.pair_friction import keep_pairs
 from palpate.scene.scene_file import build_material
 from palpate.scene.scene_parts import FILLED, ModelPart
 
@@ -253,7 +254,7 @@ def keep_first_tool(scene: palpate.Scene) -> palpate.Scene:
     return palpate.build_scene(
         palpate.Scene(
             bodies=list(scene.bodies),
-            instruments=[scene.instruments[0]],
+            instruments=keep_pairs(scene.instruments[:1], range(len(scene.bodies))),
             gravity=scene.gravity,
             rate=scene.rate,
         )

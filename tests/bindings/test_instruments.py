@@ -14,6 +14,7 @@ import pytest
 from palpate import scenario
 from palpate.assessment.publish import read_assessment, with_assessment
 from palpate.assessment.selfplay import attempt
+from palpate.bench.part_goals import leave_out
 from palpate.error import FileError
 from palpate.files.refusal import Refusal
 from palpate.render import build_instrument, build_shade, draw_picture, place_instrument
@@ -21,7 +22,10 @@ from palpate.render.instrument import find_rotation, name_look
 from palpate.render.instrument_meshes import MESHES as DRAWN
 from palpate.render.instrument_meshes import read_part
 from palpate.render.instrument_shade import find_glow, place_axes
+from palpate.runs.cause import scale_pressure
+from palpate.runs.device_check import build_wall
 from palpate.scene.instrument_kinds import KINDS
+from palpate.scene.pair_friction import keep_pairs
 from palpate.scene.scene_file import build_tool
 from palpate.scene.scene_parts import ToolPart
 from surfaces import MEMBRANE, ellipsoid
@@ -339,3 +343,31 @@ def test_a_file_keeps_the_coefficient_of_each_pair(tmp_path):
     instrument.pair_friction = [0.1, 0.2]
     with pytest.raises(ValueError, match=r"pair_friction \[-\]: got 2 numbers, expected 1"):
         palpate.build_scene(scene)
+
+
+def rubbing_pair() -> palpate.Scene:
+    """Two organs, on the second of which the instrument rubs less."""
+    one = probe_scene()
+    points = ellipsoid((0.03, 0.025, 0.02), 2)
+    beside = palpate.SurfaceMesh(np.asarray(points.vertices) + (0.2, 0.0, 0.0), points.triangles)
+    instrument = one.instruments[0]
+    instrument.tool.friction, instrument.pair_friction = 0.3, [0.2, 0.1]
+    other = palpate.SoftBody(tissue=palpate.build_mass_spring(beside, MEMBRANE, 50.0))
+    return palpate.build_scene(
+        palpate.Scene(bodies=[one.bodies[0], other], instruments=[instrument])
+    )
+
+
+def test_instruments_of_another_scene_take_along_what_holds_there():
+    scene = rubbing_pair()
+    assert [one.pair_friction for one in keep_pairs(scene.instruments, [1])] == [[0.1]]
+    assert [one.pair_friction for one in keep_pairs(scene.instruments)] == [[]]
+    assert scene.instruments[0].pair_friction == [0.2, 0.1]
+
+
+def test_what_is_made_of_a_scene_of_several_coefficients_is_built():
+    scene = rubbing_pair()
+    assert build_wall(scene).instruments[0].pair_friction == []
+    assert leave_out(scene, 0, friction=True).instruments[0].tool.friction == 0.0
+    bare = scale_pressure(scene, 10.0)
+    assert bare.instruments[0].pair_friction == [0.2]

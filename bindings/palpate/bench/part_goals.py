@@ -100,6 +100,7 @@ def leave_out(
         tool = copy(changed.instruments[number].tool)
         tool.friction = 0.0
         changed.instruments[number].tool = tool
+        changed.instruments[number].pair_friction = []
     if trocar:
         changed.instruments[number].trocar = None
     return palpate.build_scene(changed)

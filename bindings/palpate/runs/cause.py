@@ -18,6 +18,7 @@ import numpy as np
 
 import palpate
 from palpate.runs.press import Place, PressScript, find_top, has_jaws, write_script
+from palpate.scene.pair_friction import keep_pairs
 
 AlarmKind = palpate.AlarmKind
 
@@ -219,7 +220,7 @@ def with_tissue(scene: palpate.Scene, tissue: palpate.TissueModel) -> palpate.Sc
     other = palpate.build_scene(
         palpate.Scene(
             bodies=[palpate.SoftBody(tissue=tissue, **fields)],
-            instruments=list(scene.instruments),
+            instruments=keep_pairs(scene.instruments, [0]),
             gravity=scene.gravity,
             rate=scene.rate,
         )

@@ -18,6 +18,7 @@ import palpate
 from palpate.command.verb import Report
 from palpate.runs.felt import read_column
 from palpate.runs.live import Frame
+from palpate.scene.pair_friction import keep_pairs
 
 Array = NDArray[np.float64]
 
@@ -80,7 +81,7 @@ def build_wall(scene: palpate.Scene) -> palpate.Scene:
     )
     body = palpate.SoftBody(tissue=tissue)
     return palpate.build_scene(
-        palpate.Scene(bodies=[body], instruments=scene.instruments[:1], rate=scene.rate)
+        palpate.Scene(bodies=[body], instruments=keep_pairs(scene.instruments[:1]), rate=scene.rate)
     )
 
 

@@ -26,6 +26,7 @@ from palpate.runs.trial import (
     press_places,
     with_contact,
 )
+from palpate.scene.pair_friction import keep_pairs
 from palpate.study.half_space import compute_sphere_force
 from palpate.study.indent import measure_indentation
 from palpate.study.tool import load_with_ball
@@ -179,7 +180,9 @@ def stiffen(scene: palpate.Scene, part: str, times: float = TWICE) -> palpate.Sc
         return None
     stiff = palpate.SoftBody(tissue=changed, contact_modulus=body.contact_modulus)
     return palpate.build_scene(
-        palpate.Scene(bodies=[stiff], instruments=list(scene.instruments), rate=scene.rate)
+        palpate.Scene(
+            bodies=[stiff], instruments=keep_pairs(scene.instruments, [0]), rate=scene.rate
+        )
     )
 
 
