@@ -3000,6 +3000,18 @@
         <translation>yoksa 0, varsa %1 ile %2 Hz'lik hız arası</translation>
     </message>
     <message>
+        <source>%1, one per body, scenery and rigid body, or none</source>
+        <translation>%1, her cisim, sabit çevre ve rijit cisim için bir tane, ya da hiç</translation>
+    </message>
+    <message>
+        <source>0 for all with a tool.friction of 0: such a tool slides on everything</source>
+        <translation>tool.friction 0 iken hepsi için 0: böyle bir alet her şeyin üzerinde kayar</translation>
+    </message>
+    <message>
+        <source>0, or positive numbers</source>
+        <translation>0 ya da pozitif sayılar</translation>
+    </message>
+    <message>
         <source>0, or a positive number</source>
         <translation>0 ya da pozitif bir sayı</translation>
     </message>
