@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -91,20 +92,65 @@ inline SurfaceMesh make_slab(const Vec3& size, double edge, int rounds = 1) {
   return mesh;
 }
 
-/// Springs on home springs, 30 x 30 x 4 mm; its rim is at x = 30 mm, `rounds` as of make_slab().
-inline Scene make_grasped_slab(const Tool& tool, double coupling, double home = 3e6,
-                               double spring = 100.0, int rounds = 1) {
+/// One tissue under jaws and their hand; of a modulus [Pa] its near field.
+inline Scene make_jaw_scene(TissueModel tissue, const Tool& tool, double coupling,
+                            double contact_modulus = 0.0, double force_max = 20.0) {
+  Scene scene;
+  scene.bodies[0].kernel = kernel_under_test();
+  scene.bodies[0].tissue = std::move(tissue);
+  scene.bodies[0].contact_modulus = contact_modulus;
+  scene.instruments[0].tool = tool;
+  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = force_max};
+  return build_scene(std::move(scene));
+}
+
+/// Of [Pa] Young's modulus, nearly incompressible.
+inline Material make_jaw_material(double young_modulus, double wall_thickness = 0.0) {
+  Material material = make_material({.damping_ratio = 0.3});
+  material.young_modulus = young_modulus;
+  material.poisson_ratio = 0.45;
+  if (wall_thickness > 0.0) material.wall_thickness = wall_thickness;
+  return material;
+}
+
+/// [Pa] E* of that.
+inline double contact_modulus_of(double young_modulus) {
+  return young_modulus / (1.0 - 0.45 * 0.45);
+}
+
+using BuildSolid = TissueModel (*)(const SolidMesh&, const Material&, const SolidOptions&);
+
+/// A block held at x = 0 [m], under jaws, by its near field.
+inline Scene make_held_solid(const Tool& tool, double coupling, BuildSolid build, const Vec3& size,
+                             const std::array<int, 3>& cells, double young_modulus, double drag) {
+  SolidMesh solid = make_block(size, cells);
+  SolidOptions options;
+  options.nodal_share = 0.9;
+  options.drag = drag;
+  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
+    solid.vertices[i].x() += 0.5 * size.x();
+    if (solid.vertices[i].x() < 1e-6) options.fixed.push_back(static_cast<int>(i));
+  }
+  return make_jaw_scene(build(solid, make_jaw_material(young_modulus), options), tool, coupling,
+                        contact_modulus_of(young_modulus));
+}
+
+/// Springs on home springs, 2 mm thick.
+inline Scene make_grasped_mesh(const SurfaceMesh& mesh, const Tool& tool, double coupling,
+                               double home = 3e6, double spring = 100.0, double force_max = 20.0) {
   SurfaceOptions options;
   options.home_stiffness = home;
   options.drag = 60.0;
   const Material wall{.density = 1000.0, .damping_ratio = 0.2, .wall_thickness = 0.002};
-  Scene scene;
-  scene.bodies[0].kernel = kernel_under_test();
-  scene.bodies[0].tissue =
-      build_mass_spring(make_slab({0.03, 0.03, 0.004}, 0.0015, rounds), wall, spring, options);
-  scene.instruments[0].tool = tool;
-  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
-  return build_scene(std::move(scene));
+  return make_jaw_scene(build_mass_spring(mesh, wall, spring, options), tool, coupling, 0.0,
+                        force_max);
+}
+
+/// Springs on home springs, 30 x 30 x 4 mm; its rim is at x = 30 mm, `rounds` as of make_slab().
+inline Scene make_grasped_slab(const Tool& tool, double coupling, double home = 3e6,
+                               double spring = 100.0, int rounds = 1) {
+  return make_grasped_mesh(make_slab({0.03, 0.03, 0.004}, 0.0015, rounds), tool, coupling, home,
+                           spring);
 }
 
 /// A flat sheet of springs, 50 x 16 x 6 mm, on home springs that are damped as tissue is.
@@ -114,99 +160,42 @@ inline Scene make_grasped_sheet(const Tool& tool, double coupling) {
   options.home_stiffness = 1e8;
   options.drag = 2.0 * kDamping * std::sqrt(*options.home_stiffness / (kDensity * kThickness));
   const Material wall{.density = kDensity, .damping_ratio = kDamping, .wall_thickness = kThickness};
-  Scene scene;
-  scene.bodies[0].kernel = kernel_under_test();
-  scene.bodies[0].tissue =
-      build_mass_spring(make_slab({0.05, 0.016, 0.006}, 0.0015), wall, 100.0, options);
-  scene.instruments[0].tool = tool;
-  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
-  return build_scene(std::move(scene));
+  return make_jaw_scene(
+      build_mass_spring(make_slab({0.05, 0.016, 0.006}, 0.0015), wall, 100.0, options), tool,
+      coupling);
 }
 
-/// The same sheet as a wall of prisms, 1.5 mm thick and of 0.1 MPa.
-inline Scene make_grasped_plate(const Tool& tool, double coupling) {
+/// A wall of prisms, 1.5 mm thick and of 0.1 MPa, on home springs [N/m³].
+inline Scene make_prism_scene(const SurfaceMesh& mesh, const Tool& tool, double coupling,
+                              double home) {
+  constexpr double kYoung = 1e5;
   SurfaceOptions options;
-  options.home_stiffness = 1e8;
+  options.home_stiffness = home;
   options.drag = 60.0;
-  Material wall = make_material({.damping_ratio = 0.3});
-  wall.young_modulus = 1e5;
-  wall.poisson_ratio = 0.45;
-  wall.wall_thickness = 0.0015;
-  Scene scene;
-  scene.bodies[0].kernel = kernel_under_test();
-  scene.bodies[0].tissue = build_shell(make_slab({0.05, 0.016, 0.006}, 0.0015), wall, options);
-  scene.bodies[0].contact_modulus = 1e5 / (1.0 - 0.45 * 0.45);
-  scene.instruments[0].tool = tool;
-  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
-  return build_scene(std::move(scene));
+  return make_jaw_scene(build_shell(mesh, make_jaw_material(kYoung, 0.0015), options), tool,
+                        coupling, contact_modulus_of(kYoung));
+}
+
+/// The same sheet as a wall of prisms.
+inline Scene make_grasped_plate(const Tool& tool, double coupling) {
+  return make_prism_scene(make_slab({0.05, 0.016, 0.006}, 0.0015), tool, coupling, 1e8);
 }
 
 /// The same bar of solid, 0.1 MPa, with cells of 2 mm, held at x = 0.
-inline Scene make_grasped_bar(const Tool& tool, double coupling,
-                              TissueModel (*build)(const SolidMesh&, const Material&,
-                                                   const SolidOptions&)) {
-  SolidMesh solid = make_block({0.05, 0.016, 0.006}, {25, 8, 3});
-  SolidOptions options;
-  options.nodal_share = 0.9;
-  options.drag = 200.0;
-  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
-    solid.vertices[i].x() += 0.025;
-    if (solid.vertices[i].x() < 1e-6) options.fixed.push_back(static_cast<int>(i));
-  }
-  Material material = make_material({.damping_ratio = 0.3});
-  material.young_modulus = 1e5;
-  material.poisson_ratio = 0.45;
-  Scene scene;
-  scene.bodies[0].kernel = kernel_under_test();
-  scene.bodies[0].tissue = build(solid, material, options);
-  scene.bodies[0].contact_modulus = 1e5 / (1.0 - 0.45 * 0.45);
-  scene.instruments[0].tool = tool;
-  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
-  return build_scene(std::move(scene));
+inline Scene make_grasped_bar(const Tool& tool, double coupling, BuildSolid build) {
+  return make_held_solid(tool, coupling, build, {0.05, 0.016, 0.006}, {25, 8, 3}, 1e5, 200.0);
 }
 
 /// A block of 30 x 30 x 10 mm, held at x = 0, with its rim at x = 30 mm, by its near field.
-inline Scene make_grasped_block(const Tool& tool, double coupling,
-                                TissueModel (*build)(const SolidMesh&, const Material&,
-                                                     const SolidOptions&)) {
-  SolidMesh solid = make_block({0.03, 0.03, 0.01}, {6, 6, 2});
-  SolidOptions options;
-  options.nodal_share = 0.9;
-  options.drag = 30.0;
-  for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
-    solid.vertices[i].x() += 0.015;
-    if (solid.vertices[i].x() < 1e-6) options.fixed.push_back(static_cast<int>(i));
-  }
-  Material material = make_material({.damping_ratio = 0.3});
-  material.young_modulus = 5e3;
-  material.poisson_ratio = 0.45;
-  Scene scene;
-  scene.bodies[0].tissue = build(solid, material, options);
-  scene.bodies[0].kernel = kernel_under_test();
-  scene.bodies[0].contact_modulus = 5e3 / (1.0 - 0.45 * 0.45);
-  scene.instruments[0].tool = tool;
-  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
-  return build_scene(std::move(scene));
+inline Scene make_grasped_block(const Tool& tool, double coupling, BuildSolid build) {
+  return make_held_solid(tool, coupling, build, {0.03, 0.03, 0.01}, {6, 6, 2}, 5e3, 30.0);
 }
 
-/// A closed wall of prisms, 1.5 mm thick, 30 x 24 x 12 mm on home springs, its end at x = 30 mm.
+/// A closed wall of prisms, 30 x 24 x 12 mm, its end at x = 30 mm.
 inline Scene make_grasped_wall(const Tool& tool, double coupling) {
-  SurfaceOptions options;
-  options.home_stiffness = 1e6;
-  options.drag = 60.0;
-  Material wall = make_material({.damping_ratio = 0.3});
-  wall.young_modulus = 1e5;
-  wall.poisson_ratio = 0.45;
-  wall.wall_thickness = 0.0015;
   SurfaceMesh mesh = make_ellipsoid({0.015, 0.012, 0.006}, 3);
   for (Vec3& x : mesh.vertices) x.x() += 0.015;
-  Scene scene;
-  scene.bodies[0].kernel = kernel_under_test();
-  scene.bodies[0].tissue = build_shell(mesh, wall, options);
-  scene.bodies[0].contact_modulus = 1e5 / (1.0 - 0.45 * 0.45);
-  scene.instruments[0].tool = tool;
-  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 20.0};
-  return build_scene(std::move(scene));
+  return make_prism_scene(mesh, tool, coupling, 1e6);
 }
 
 /// A hand with jaws open along z, which comes to the rim along x and has 12 mm of it between them.

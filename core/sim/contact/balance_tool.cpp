@@ -23,10 +23,6 @@ constexpr int kNewtonStepsNear = 6;
 // [m] a step that is left out where contacts are costly to find: 5e-6 N of the hand's spring
 constexpr double kShortestStep = 1e-8;
 
-// part of the radius that the tool's own steps keep its centre off the surface: halving what is
-// left would end in rounding, on the wrong side
-constexpr double kClearance = 1e-3;
-
 /// What the tissue does to the tool at one position.
 struct Touch {
   Vec3 force = Vec3::Zero();      ///< [N] on the tool

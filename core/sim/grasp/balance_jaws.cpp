@@ -18,9 +18,6 @@ constexpr int kNewtonSteps = 3;
 constexpr int kNewtonStepsAtLimit = 6;  // as of a tool without jaws (balance_tool.cpp)
 constexpr int kNewtonStepsNear = 4;     // each has a footprint of all that either jaw touches
 
-// part of the radius that steps keep an axis off the surface
-constexpr double kClearance = 1e-3;
-
 // [m] and [rad] of a step that is left out: contacts are costly to find, and jaws that hold are
 // still
 constexpr double kShortestStep = 1e-8, kShortestTurn = 1e-6;
@@ -259,6 +256,11 @@ Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolStat
   double nearest = std::numeric_limits<double>::infinity();
   Vec3 sum = Vec3::Zero();
   std::array<double, 2> extents{};  // [N m²]
+  std::array<Vec3, 2> along;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Capsule& axis = place.jaws.axis_of(static_cast<int>(j));
+    along[j] = (axis.to - axis.from).normalized();
+  }
   state.carrier.triangle = -1;
   state.touching = false;
   unpress_anchors(state);
@@ -273,14 +275,12 @@ Vec3 write_pushes(const JawSurroundings& around, const JawPlace& place, ToolStat
     if (!surface_of(around, jaw, body).load->add({t, contact.weights, -force})) return;
     sum += force;
     state.touching = true;
-    const Capsule& axis = place.jaws.axis_of(jaw);
+    const auto j = static_cast<std::size_t>(jaw);
     const TouchedSurface& surface = surface_of(around, jaw, body);
-    extents[static_cast<std::size_t>(jaw)] +=
-        contact.force *
-        find_extent(triangle_at(surface, t), surface.x, (axis.to - axis.from).normalized());
+    extents[j] += contact.force * find_extent(triangle_at(surface, t), surface.x, along[j]);
     const double mu = find_friction(around.tool, bodies, body);
     if (!(mu > 0.0)) return;
-    const double whole = touch.pressed[static_cast<std::size_t>(jaw)].force;
+    const double whole = touch.pressed[j].force;
     const Vec3 move = place.jaws.move(jaw, find_at(around, place, jaw, body, t, contact));
     const double opens = contact.direction.dot(move) / move.norm();
     const double pressed = contact.force * (1.0 + layer.force / whole) *

@@ -24,18 +24,9 @@ constexpr double kRim = 0.03;           // [m] height of the slab's rim
 constexpr double kGrip = 3.0;           // [N]
 constexpr double kClosePerTick = 0.01;  // [rad] of jaws that a button closes
 
-/// Springs of 30 x 30 x 4 mm, its surface in `mesh`.
+/// Springs, by a hand of 5 N.
 Scene make_slab_scene(const SurfaceMesh& mesh, const Tool& tool, double coupling) {
-  SurfaceOptions options;
-  options.home_stiffness = 3e6;
-  options.drag = 60.0;
-  const Material wall{.density = 1000.0, .damping_ratio = 0.2, .wall_thickness = 0.002};
-  Scene scene;
-  scene.bodies[0].kernel = scenes::kernel_under_test();
-  scene.bodies[0].tissue = build_mass_spring(mesh, wall, 100.0, options);
-  scene.instruments[0].tool = tool;
-  scene.instruments[0].coupling = {.stiffness = coupling, .force_max = 5.0};
-  return build_scene(std::move(scene));
+  return scenes::make_grasped_mesh(mesh, tool, coupling, 3e6, 100.0, 5.0);
 }
 
 SurfaceMesh make_flat_slab() { return scenes::make_slab({kRim, 0.03, 0.004}, 0.0015); }

@@ -24,9 +24,6 @@ constexpr double kLeastGain = 0.3, kLeastCapsuleGain = 0.1, kLeastWallGain = 1e-
 /// how much it is lifted at most.
 constexpr double kLeftIn = 0.55, kMostLift = 1.2;
 
-/// Part of the radius that the lift keeps a ball off the surface, as the tool's own steps do.
-constexpr double kClearance = 1e-3;
-
 /// Part of the radius from which the hard law holds as well, so that nothing passes, and over which
 /// it would come to hold in full: at a whole radius half of it does.
 constexpr double kBarrierFrom = 0.65, kBarrierWidth = 0.7;

@@ -7,6 +7,10 @@
 
 namespace palpate {
 
+/// Part of the radius that a tool's own steps keep its centre off the surface: halving what is left
+/// would end in rounding, on the wrong side.
+inline constexpr double kClearance = 1e-3;
+
 // Contacts under a NearField: closest points give the barrier, footprints the pressure, and the
 // whole patch how much of the dent the mesh has taken already.
 

@@ -16,7 +16,8 @@ void for_each_spring(const Tool& tool, const OpenJaws& jaws, const JawSurfaces& 
   for (int j = 0; j < 2; ++j) {
     const TouchedSurface& surface =
         surfaces[static_cast<std::size_t>(j)][static_cast<std::size_t>(body)];
-    const double mu = tool.friction * surface.friction_part, sliding = std::sqrt(1.0 + mu * mu);
+    const double mu = find_friction(tool, surfaces[static_cast<std::size_t>(j)], body),
+                 sliding = std::sqrt(1.0 + mu * mu);
     for_each_slope(jaws.shape(j), view(surface, body), state,
                    [&](int t, const Vec3& weights, double slope) noexcept {
                      take(t, weights, sliding * slope);
