@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QLocale
@@ -14,7 +15,7 @@ from palpate.command.verb import Report
 from palpate.runs.alarms import advise_hand, say_alarm, say_safeguard
 from palpate.runs.coupling import FELT_WITHIN
 from palpate.runs.live import Frame
-from palpate.runs.pinch import Pinch, tell_pinch, tell_stretch
+from palpate.runs.pinch import Pinch, list_wrong, tell_rows
 from palpate.translation.numbers import say_digits
 from palpate.viewport.hint_line import PLAIN, Means, say_hands, say_jaws, say_taking, say_turns
 
@@ -173,16 +174,12 @@ def say_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, st
     bears no more."""
     name = translate("Player", "Instrument %1")
     several = len(frame.instruments) > 1
-    rows = []
+    rows, names = [], name_rows(several)
     for index, one in enumerate(frame.instruments):
         if several:
             force = format_number(float(np.linalg.norm(one.force)), 2)
             rows.append((name.replace("%1", str(index + 1)), f"{force} N"))
-        if index in pinches:
-            rows.append((name_jaws(index, several), say_digits(tell_pinch(pinches[index]))))
-            if pinches[index].stretch > 0.0:
-                told = say_digits(tell_stretch(pinches[index]))
-                rows.append((name_stretch(index, several), told))
+        rows += [(row, say_digits(told)) for row, told in tell_rows(index, pinches, *names)]
         if one.turn_limited:
             turns = translate("Player", "Turning %1") if several else translate("Player", "Turning")
             rows.append(
@@ -208,12 +205,14 @@ def name_stretch(index: int, several: bool) -> str:
     return translate("Player", "Stretch %1").replace("%1", str(index + 1))
 
 
+def name_rows(several: bool) -> tuple[Callable[[int], str], Callable[[int], str]]:
+    """What names the rows of an instrument's jaws, and of what is about them."""
+    return partial(name_jaws, several=several), partial(name_stretch, several=several)
+
+
 def name_wrong(pinches: Mapping[int, Pinch], several: bool) -> list[str]:
     """The rows whose number is beyond what it may be."""
-    wrong = [name_jaws(index, several) for index, one in pinches.items() if one.is_wrong]
-    return wrong + [
-        name_stretch(index, several) for index, one in pinches.items() if one.is_overstretched
-    ]
+    return list_wrong(pinches, *name_rows(several))
 
 
 def format_number(value: float, decimals: int) -> str:

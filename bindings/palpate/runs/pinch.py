@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import palpate
@@ -80,3 +81,28 @@ def tell_stretch(pinch: Pinch) -> str:
     """Of the length at rest; where that is wrong, beyond what it is."""
     told = f"{pinch.stretch:.2f}"
     return f"{told} > {pinch.stretch_bound:.1f}" if pinch.is_overstretched else told
+
+
+def list_wrong(
+    pinches: Mapping[int, Pinch],
+    name_jaws: Callable[[int], str],
+    name_stretch: Callable[[int], str],
+) -> list[str]:
+    """The names of the rows whose number is beyond what it may be, by instrument."""
+    wrong = [name_jaws(index) for index, one in pinches.items() if one.is_wrong]
+    return wrong + [name_stretch(index) for index, one in pinches.items() if one.is_overstretched]
+
+
+def tell_rows(
+    index: int,
+    pinches: Mapping[int, Pinch],
+    name_jaws: Callable[[int], str],
+    name_stretch: Callable[[int], str],
+) -> list[tuple[str, str]]:
+    """Of the jaws of an instrument; none where they press on nothing."""
+    if index not in pinches:
+        return []
+    rows = [(name_jaws(index), tell_pinch(pinches[index]))]
+    if pinches[index].stretch > 0.0:
+        rows.append((name_stretch(index), tell_stretch(pinches[index])))
+    return rows

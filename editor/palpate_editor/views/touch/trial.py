@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,7 @@ from palpate.runs.alarms import advise_design, say_alarm, say_element
 from palpate.runs.cause import Cause
 from palpate.runs.element import Element
 from palpate.runs.live import Frame, LiveRun
-from palpate.runs.pinch import Pinch, find_pinches, tell_pinch, tell_stretch
+from palpate.runs.pinch import Pinch, find_pinches, list_wrong, tell_rows
 from palpate.runs.stretch import StretchGauge
 from palpate.scene.surfaces import join_torn
 from palpate.translation.numbers import say_digits
@@ -138,11 +139,7 @@ class Trial(QObject):
         ]
         if (held := name_safeguard(max(frame.safeguards))) is not None:
             rows.append((tr("Safeguard"), held))
-        wrong = [name_jaws(index, several) for index, one in pinches.items() if one.is_wrong]
-        wrong += [
-            name_stretch(index, several) for index, one in pinches.items() if one.is_overstretched
-        ]
-        self.view.hud.show_rows(rows, wrong)
+        self.view.hud.show_rows(rows, list_wrong(pinches, *name_rows(several)))
 
     def _show_force(self, frame: Frame, size: float) -> None:
         """The arrow begins at the tip's skin, not inside it, and stays in sight."""
@@ -160,15 +157,11 @@ def name_forces(frame: Frame, pinches: Mapping[int, Pinch]) -> list[tuple[str, s
     """The force on the hand of each instrument, how hard its jaws press, and whether tissue keeps
     it from turning as its hand does."""
     several = len(frame.instruments) > 1
-    rows = []
+    rows, names = [], name_rows(several)
     for index, one in enumerate(frame.instruments):
         name = fill(tr("Force {number}"), number=index + 1) if several else tr("Force")
         rows.append((name, say_digits(f"{float(np.linalg.norm(one.force)):.2f} N")))
-        if index in pinches:
-            rows.append((name_jaws(index, several), say_digits(tell_pinch(pinches[index]))))
-            if pinches[index].stretch > 0.0:
-                told = say_digits(tell_stretch(pinches[index]))
-                rows.append((name_stretch(index, several), told))
+        rows += [(row, say_digits(told)) for row, told in tell_rows(index, pinches, *names)]
         if one.turn_limited:
             turns = fill(tr("Turning {number}"), number=index + 1) if several else tr("Turning")
             rows.append((turns, tr("held by tissue")))
@@ -183,6 +176,11 @@ def name_jaws(index: int, several: bool) -> str:
 def name_stretch(index: int, several: bool) -> str:
     """Of what the jaws of which instrument hold."""
     return fill(tr("Stretch {number}"), number=index + 1) if several else tr("Stretch")
+
+
+def name_rows(several: bool) -> tuple[Callable[[int], str], Callable[[int], str]]:
+    """What names the rows of an instrument's jaws, and of what is about them."""
+    return partial(name_jaws, several=several), partial(name_stretch, several=several)
 
 
 def name_safeguard(safeguard: palpate.Safeguard) -> str | None:
