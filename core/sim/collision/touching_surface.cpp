@@ -40,7 +40,6 @@ SurfaceTouch::SurfaceTouch(const TissueModel& tissue)
   impulse.assign(count, Vec3::Zero());
   pushed.assign(count, 0);
   is_pushed.assign(count, 0);
-  load = Load(static_cast<int>(count));
 }
 
 void follow_move(std::span<const Vec3> x, double elapsed, SurfaceMotion& motion) noexcept {
@@ -56,17 +55,6 @@ void follow_move(std::span<const Vec3> x, double elapsed, SurfaceMotion& motion)
   std::ranges::copy(x, motion.last.begin());
   if (!motion.has_last || elapsed == 0.0) std::ranges::copy(x, motion.before.begin());
   motion.has_last = true;
-}
-
-void write_load(SurfaceTouch& touch) noexcept {
-  touch.load.clear();
-  for (const int vertex : touch.pushed_in_use()) {
-    const auto v = static_cast<std::size_t>(vertex);
-    touch.load.add({touch.corner[v][0], Vec3::Unit(touch.corner[v][1]), touch.force[v]});
-    touch.force[v].setZero();
-    touch.is_pushed[v] = 0;
-  }
-  touch.pushed_count = 0;
 }
 
 Vec3 TouchingSurface::velocity_of(int vertex) const noexcept {

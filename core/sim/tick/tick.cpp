@@ -170,7 +170,7 @@ void take_load(std::size_t body, World& world) noexcept {
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     for (const Push& push : world.pair(i, body).load.pushes()) load.add(push);
   }
-  for (const Push& push : list_touch_pushes(body, world)) load.add(push);
+  take_touch_pushes(body, world, [&](const Push& push) noexcept { load.add(push); });
   for (const Push& push : list_rigid_pushes(body, world)) load.add(push);
 }
 
@@ -180,7 +180,10 @@ void move_bodies(const Scene& scene, double dt, int s, int finest, World& world)
   Stopwatch watch(world.measures_costs);
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     SoftState& state = world.bodies[b];
-    if (state.asleep) continue;
+    if (state.asleep) {
+      take_touch_pushes(b, world, [](const Push&) noexcept {});
+      continue;
+    }
     const int substeps_per_step = finest / state.substeps;
     if (substeps_per_step == 1) {
       take_load(b, world);
@@ -189,7 +192,7 @@ void move_bodies(const Scene& scene, double dt, int s, int finest, World& world)
       for (std::size_t i = 0; i < world.instruments.size(); ++i) {
         mean.add(world.pair(i, b).load.pushes());
       }
-      mean.add(list_touch_pushes(b, world));
+      take_touch_pushes(b, world, [&](const Push& push) noexcept { mean.add({&push, 1}); });
       mean.add(list_rigid_pushes(b, world));
       if ((s + 1) % substeps_per_step != 0) continue;
       mean.take(substeps_per_step, state.load);

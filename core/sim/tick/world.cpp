@@ -112,14 +112,15 @@ int count_triangles(const Scene& scene) noexcept {
 
 }  // namespace
 
-NearList::NearList(std::size_t most_particles, std::size_t most_skin)
-    : particles(most_particles),
-      skin(most_skin),
-      particle_last_at(most_particles, -1),
-      skin_last_at(most_skin, -1) {}
+NearList::NearList(const TissueModel& tissue)
+    : particles(tissue.rest_position.size()),
+      skin(tissue.skin.corners.size()),
+      particle_last_at(particles.size(), -1),
+      skin_last_at(skin.size(), -1),
+      triangle_last_at(tissue.triangles.size(), -1) {}
 
 PackedKernel::PackedKernel(const Scene& scene, const SoftBody& body, const SoftState& soft)
-    : near(soft.tissue.position.size(), body.tissue.skin.corners.size()),
+    : near(body.tissue),
       broad_candidates(body.tissue.triangles.size() * count_most_capsules(scene)),
       last_read_at(count_surface(body), -1),
       skin_gain(find_skin_gain(body.tissue.skin)) {
@@ -137,7 +138,7 @@ PackedKernel::PackedKernel(const Scene& scene, const SoftBody& body, const SoftS
 ResponseKernel::ResponseKernel(const SoftBody& body, const AabbTree& tree)
     : response(body.response),
       state(*response),
-      near(body.tissue.rest_position.size(), body.tissue.skin.corners.size()),
+      near(body.tissue),
       deepest(compute_shallow_depths(body.tissue, tree)) {}
 
 BodyCheckpoint::BodyCheckpoint(const TissueKernel& kernel, const SoftState& state) {

@@ -42,13 +42,12 @@ struct SurfaceTouch : SurfaceMotion {
   double stiffness = 0.0;  ///< [1/s²] that contacts add to the largest eigenvalue of M⁻¹K at most
   double approach = 0.0;     ///< [-] of a barrier's thickness, by which a gap closes in a tick
   std::vector<double> row;   ///< [1/s²] per vertex: what contacts make of the row of M⁻¹K
-  Vec3Array force;           ///< [N] per vertex, until it is in the load
+  Vec3Array force;           ///< [N] per vertex, of this substep (push_contacts, take_pushes)
   Vec3Array impulse;         ///< [m/s] per vertex, of impulses since its last step
   bool has_impulse = false;  ///< some of them are not 0
   std::vector<int> pushed;   ///< vertices with a force; capacity
   int pushed_count = 0;      ///< how many of them are in use
   std::vector<unsigned char> is_pushed;  ///< whether in `pushed`
-  Load load;                             ///< the forces of the last substep, gravity aside
 
   std::span<const int> pushed_in_use() const noexcept {
     return std::span(pushed).first(static_cast<std::size_t>(pushed_count));
@@ -59,8 +58,18 @@ struct SurfaceTouch : SurfaceMotion {
 /// where it was put back to where it was, and is as fast as it was.
 void follow_move(std::span<const Vec3> x, double elapsed, SurfaceMotion& motion) noexcept;
 
-/// Makes the forces the pushes of the load, one on each vertex, and begins again.
-void write_load(SurfaceTouch& touch) noexcept;
+/// Calls visit(push) for the force on each vertex, and begins again.
+template <class Visit>
+void take_pushes(SurfaceTouch& touch, Visit visit) noexcept {
+  for (const int vertex : touch.pushed_in_use()) {
+    const auto v = static_cast<std::size_t>(vertex);
+    const auto& [triangle, corner] = touch.corner[v];
+    visit(Push{triangle, Vec3::Unit(corner), touch.force[v]});
+    touch.force[v].setZero();
+    touch.is_pushed[v] = 0;
+  }
+  touch.pushed_count = 0;
+}
 
 /// A surface as it stands in a substep.
 struct TouchingSurface {

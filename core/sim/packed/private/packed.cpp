@@ -2,6 +2,7 @@
 #include "palpate/sim/packed/private/packed.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -13,7 +14,6 @@ namespace {
 
 /// Where a particle's three numbers stand, `width` apart.
 std::size_t find_in_slices(const PackedModel& model, std::size_t row) noexcept {
-  // a width is a power of two, and a division costs more than all the rest
   const std::size_t lane = row & static_cast<std::size_t>(model.width - 1);
   return 3 * (row - lane) + lane;
 }
@@ -36,10 +36,18 @@ void for_each_carrier(const PackedModel& model, int vertex, Take take) noexcept 
   }
 }
 
-void add_force(const PackedModel& model, std::size_t row, const Eigen::Vector3f& force,
+/// The slice of a row. A width is a power of two, and a division costs more than all the rest.
+std::size_t find_slice(const PackedModel& model, std::size_t row) noexcept {
+  return row >> std::countr_zero(static_cast<unsigned>(model.width));
+}
+
+void add_force(const PackedModel& model, std::size_t row, const Vec3& force,
                PackedState& state) noexcept {
-  for (int k = 0; k < 3; ++k) state.force_rows[4 * row + static_cast<std::size_t>(k)] += force[k];
-  state.pushed[row / static_cast<std::size_t>(model.width)] = 1;
+  float* row_force = state.force_rows.data() + 4 * row;
+  row_force[0] += static_cast<float>(force.x());
+  row_force[1] += static_cast<float>(force.y());
+  row_force[2] += static_cast<float>(force.z());
+  state.pushed[find_slice(model, row)] = 1;
 }
 
 std::size_t find_row(const PackedModel& model, const ParticleForce& of) noexcept {
@@ -52,21 +60,19 @@ void add_load(const PackedModel& model, const Load& load, PackedState& state) no
     const Triangle& corners = model.surface[static_cast<std::size_t>(push.triangle)];
     for (int c = 0; c < 3; ++c) {
       if (push.weights[c] == 0.0) continue;  // bodies push single vertices
-      for_each_carrier(
-          model, corners[static_cast<std::size_t>(c)], [&](std::size_t row, double weight) {
-            add_force(model, row, (weight * push.weights[c] * push.force).cast<float>(), state);
-          });
+      for_each_carrier(model, corners[static_cast<std::size_t>(c)],
+                       [&](std::size_t row, double weight) {
+                         add_force(model, row, weight * push.weights[c] * push.force, state);
+                       });
     }
   }
   for (const ParticleForce& each : load.forces) {
-    add_force(model, find_row(model, each), each.force.cast<float>(), state);
+    add_force(model, find_row(model, each), each.force, state);
   }
 }
 
 void clear_pushed(const PackedModel& model, const Load& load, PackedState& state) noexcept {
-  const auto clear = [&](std::size_t row) {
-    state.pushed[row / static_cast<std::size_t>(model.width)] = 0;
-  };
+  const auto clear = [&](std::size_t row) { state.pushed[find_slice(model, row)] = 0; };
   for (const Push& push : load.pushes()) {
     for (const int vertex : model.surface[static_cast<std::size_t>(push.triangle)]) {
       for_each_carrier(model, vertex, [&](std::size_t row, double) { clear(row); });

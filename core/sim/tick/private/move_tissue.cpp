@@ -6,6 +6,7 @@
 #include <exception>
 #include <memory>
 #include <numeric>
+#include <utility>
 
 #include "palpate/sim/dynamics/private/measure_stretch.h"
 #include "palpate/sim/dynamics/private/step_limit.h"
@@ -29,13 +30,16 @@ namespace {
 /// Makes a displacement measured in float no shorter than it was.
 constexpr double kWiden = 1.0 + 1e-6;
 
+/// Whether `what` has not been listed in this tick; from now on it has.
+bool is_new(int what, long tick, std::vector<long>& last_at) noexcept {
+  long& last = last_at[static_cast<std::size_t>(what)];
+  return std::exchange(last, tick) != tick;
+}
+
 /// Adds `what` to `list` unless it is there in this tick already.
 void add_once(int what, long tick, std::vector<long>& last_at, std::vector<int>& list,
               int& count) noexcept {
-  long& last = last_at[static_cast<std::size_t>(what)];
-  if (last == tick) return;
-  last = tick;
-  list[static_cast<std::size_t>(count++)] = what;
+  if (is_new(what, tick, last_at)) list[static_cast<std::size_t>(count++)] = what;
 }
 
 void add_vertex(const TissueModel& tissue, int vertex, long tick, NearList& near) noexcept {
@@ -50,7 +54,7 @@ void add_vertex(const TissueModel& tissue, int vertex, long tick, NearList& near
 }
 
 void add_near(const TissueModel& tissue, int triangle, long tick, NearList& near) noexcept {
-  if (triangle < 0) return;
+  if (triangle < 0 || !is_new(triangle, tick, near.triangle_last_at)) return;
   for (const int i : tissue.triangles[static_cast<std::size_t>(triangle)]) {
     add_vertex(tissue, i, tick, near);
   }
@@ -91,9 +95,10 @@ void list_near(const Moved& moved, NearList& near) noexcept {
     add_once(particle, world.tick_count, near.particle_last_at, near.particles,
              near.particle_count);
   });
-  for_each_touched_vertex(moved.scene, moved.index, moved.world, [&](int vertex) noexcept {
-    add_vertex(tissue, vertex, world.tick_count, near);
-  });
+  for_each_touched(
+      moved.index, moved.world,
+      [&](int vertex) noexcept { add_vertex(tissue, vertex, world.tick_count, near); },
+      [&](int triangle) noexcept { add_near(tissue, triangle, world.tick_count, near); });
   for_each_rigid_triangle(moved.index, moved.world, [&](int triangle) noexcept {
     add_near(tissue, triangle, world.tick_count, near);
   });

@@ -37,8 +37,9 @@ std::vector<double> list_contact_stiffness(const Scene& scene, std::size_t index
     for_each_touchable(world, i, index,
                        [&](int triangle) { for_each_carrier(tissue, triangle, add); });
   }
-  for_each_touched_vertex(scene, index, world,
-                          [&](int vertex) { for_each_carrier_of(tissue, vertex, add); });
+  for_each_touched(
+      index, world, [&](int vertex) { for_each_carrier_of(tissue, vertex, add); },
+      [&](int triangle) { for_each_carrier(tissue, triangle, add); });
   return added;
 }
 

@@ -171,11 +171,6 @@ double bound_touch_stiffness(std::size_t body, World& world) noexcept {
   return is_touched(body, world) ? workspace(world).touched[body].stiffness : 0.0;
 }
 
-std::span<const Push> list_touch_pushes(std::size_t body, World& world) noexcept {
-  if (world.body_pairs.empty()) return {};
-  return workspace(world).touched[body].load.pushes();
-}
-
 void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world) noexcept {
   if (world.body_pairs.empty()) return;
   TickBuffers& work = workspace(world);
@@ -203,10 +198,7 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
     if (s == 0) contacts.stored_energy = energy;
     watch.add_to(world.costs.body_pairs[p].contact);
   }
-  for (SurfaceTouch& touch : work.touched) {
-    write_load(touch);
-    touch.went = 0.0;
-  }
+  for (SurfaceTouch& touch : work.touched) touch.went = 0.0;
   work.pace.since += dt;
 }
 

@@ -69,34 +69,35 @@ double bound_touch_stiffness(std::size_t body, World& world) noexcept;
 /// The substeps that the speed at which other surfaces come near asks for.
 double count_approach_substeps(std::size_t body, World& world) noexcept;
 
-/// What other surfaces do to a body in a substep; none without body_pairs.
-std::span<const Push> list_touch_pushes(std::size_t body, World& world) noexcept;
-
-/// Calls `visit(vertex)` for what other surfaces may touch of a body, and for the corners of what
-/// may touch its own; some of them several times.
+/// Calls `visit(push)` for what other surfaces do to a body in a substep, once; none without
+/// body_pairs.
 template <class Visit>
-void for_each_touched_vertex(const Scene& scene, std::size_t body, World& world, Visit visit) {
+void take_touch_pushes(std::size_t body, World& world, Visit visit) noexcept {
+  if (!world.body_pairs.empty()) take_pushes(workspace(world).touched[body], visit);
+}
+
+/// Calls `visit_vertex(vertex)` for what may touch other surfaces of a body, or its own, and
+/// `visit_triangle(triangle)` for what may be touched by them; some of them several times.
+template <class VisitVertex, class VisitTriangle>
+void for_each_touched(std::size_t body, World& world, VisitVertex visit_vertex,
+                      VisitTriangle visit_triangle) {
   for (std::size_t p = 0; p < world.body_pairs.size(); ++p) {
     const BodyContacts& contacts = workspace(world).contacts[p];
     const auto& bodies = contacts.bodies;
     const auto visit_near = [&](const SurfaceContacts& side, int vertex) {
       const auto v = static_cast<std::size_t>(vertex);
-      for (std::size_t n = 0; n < side.near_count[v]; ++n) {
-        for (const int corner : scene.bodies[body].tissue.triangles[side.near[v][n]]) {
-          visit(corner);
-        }
-      }
+      for (std::size_t n = 0; n < side.near_count[v]; ++n) visit_triangle(side.near[v][n]);
     };
     for (std::size_t k = 0; k < contacts.side_count; ++k) {
       const SurfaceContacts& side = contacts.sides[k];
       for (const int vertex : side.active_in_use()) {
-        if (bodies[k] == body) visit(vertex);
+        if (bodies[k] == body) visit_vertex(vertex);
         if (bodies[1 - k] == body) visit_near(side, vertex);
       }
       const EdgePoints& points = contacts.edges[k];
       for (const int edge : points.contacts.active_in_use()) {
         if (bodies[k] == body) {
-          for (const int end : points.ends[static_cast<std::size_t>(edge)]) visit(end);
+          for (const int end : points.ends[static_cast<std::size_t>(edge)]) visit_vertex(end);
         }
         if (bodies[1 - k] == body) visit_near(points.contacts, edge);
       }

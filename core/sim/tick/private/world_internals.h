@@ -34,7 +34,7 @@ inline Vec3 find_gravity(const Scene& scene, const SoftBody& body) noexcept {
 /// these are brought up to date between the substeps.
 struct NearList {
   NearList() = default;
-  NearList(std::size_t particle_count, std::size_t skin_count);
+  NearList(const TissueModel& tissue);
 
   void clear() noexcept { particle_count = skin_count = 0; }
   std::span<const int> particles_in_use() const noexcept {
@@ -46,7 +46,8 @@ struct NearList {
 
   std::vector<int> particles, skin;
   int particle_count = 0, skin_count = 0;            ///< how many of them are in use
-  std::vector<long> particle_last_at, skin_last_at;  ///< the last tick in which each was listed
+  /// The last tick in which each was listed.
+  std::vector<long> particle_last_at, skin_last_at, triangle_last_at;
 };
 
 /// How far behind the packed tissue is what a world has in double, where World::follows_all is off.
