@@ -73,3 +73,18 @@ def test_a_second_instrument_leaves_stones_and_all_else_in_the_scene():
     assert (len(shaped.rigid), len(shaped.scenery)) == (1, 1)
     assert shaped.fluid.density == 1000.0
     assert len(shaped.body_pairs) == 1
+
+
+def test_surfaces_with_a_coefficient_of_their_own_keep_it_beside_that_of_an_assessment():
+    scene = make_stone_scene()
+    instrument = scene.instruments[0]
+    instrument.tool.friction = 0.5
+    instrument.pair_friction = [0.05, 0.5, 0.3]  # organ, scenery, stone
+
+    def shape(friction: float) -> palpate.Instrument:
+        tools = {"one": {"kind": "ball", "radius_m": 0.004, "friction": friction}}
+        return shape_tools("task.json", {"tools": tools}, palpate.build_scene(scene)).instruments[0]
+
+    assert shape(0.7).tool.friction == 0.7
+    assert shape(0.7).pair_friction == [0.05, 0.7, 0.3]
+    assert shape(0.0).pair_friction == []  # what slides on everything

@@ -15,6 +15,7 @@ import palpate
 from palpate import scenario
 from palpate.files.refusal import Refusal
 from palpate.scene.instrument_kinds import KINDS
+from palpate.scene.pair_friction import exchange_own
 from palpate.scene.scene_file import build_tool, find_trocar
 from palpate.scene.scene_parts import ToolPart
 
@@ -85,8 +86,7 @@ def shape_tool(said: Mapping[str, Any], row: int, scene: palpate.Scene) -> palpa
     part = read_part(said, scene.instruments[row].tool)
     changed = copy(scene)
     instrument = changed.instruments[row]
-    if part.friction != instrument.tool.friction:
-        instrument.pair_friction = []  # those of another instrument
+    instrument.pair_friction = exchange_own(instrument, part.friction)
     instrument.tool = build_tool(part)
     instrument.trocar = place_trocar(said, part, scene.bodies[0].tissue)
     if "force_max_N" in said:

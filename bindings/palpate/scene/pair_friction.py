@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The coefficients of friction of instruments that are taken into another scene."""
+"""The coefficients of friction of instruments that are taken into another scene, or exchanged."""
 
 from __future__ import annotations
 
@@ -21,3 +21,12 @@ def keep_pairs(
         changed.pair_friction = [pairs[index] for index in surfaces] if pairs else []
         kept.append(changed)
     return kept
+
+
+def exchange_own(instrument: palpate.Instrument, friction: float) -> list[float]:
+    """Instrument.pair_friction where its tool has another coefficient: surfaces on which it rubbed
+    with its own take that, others keep theirs. None for a tool that slides on everything."""
+    own, pairs = instrument.tool.friction, instrument.pair_friction
+    if friction == 0.0:
+        return []
+    return [friction if on_one == own else on_one for on_one in pairs]
