@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "palpate/sim/collision/private/pull_bristle.h"
 #include "palpate/sim/model/load.h"
 #include "palpate/sim/tick/private/rigid_motion.h"
 #include "palpate/sim/tick/world.h"
@@ -18,19 +19,6 @@ struct Bristle {
   Vec3 other = Vec3::Zero();  ///< [m] in the scene's frame, or the other body's; weights in tissue
   int triangle = 0;           ///< of tissue
 };
-
-/// What bristles are like.
-struct BristleLaw {
-  double stiffness = 0.0;  ///< [N/m]
-  double damping = 0.0;    ///< [N s/m]
-  double friction = 0.0;   ///< [-]
-};
-
-/// [N] On the body. `stretch` [m] goes from the body's point to the other, which moves away from
-/// it with `velocity` [m/s]; `pressed` [N] along `normal`. Sets by how much the body's point is to
-/// be moved [m] where it slips.
-Vec3 pull_bristle(const BristleLaw& law, const Vec3& stretch, const Vec3& velocity,
-                  const Vec3& normal, double pressed, Vec3& slip) noexcept;
 
 /// The triangles that the spheres of a body may touch in a tick, one list after the other.
 struct SphereLists {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "palpate/sim/tick/private/rigid_contacts.h"
+#include "palpate/sim/collision/private/pull_bristle.h"
 
 namespace palpate {
 
