@@ -13,7 +13,8 @@ struct BodyPair {
   /// [N/m³] k_A: the pressure over the depth in that thickness; build_scene chooses E / (3 tau)
   /// when 0, E of the stiffer body
   double stiffness = 0.0;
-  double damping = 0.3;  ///< [-] of critical, of the vertices that touch; 0 to 1
+  double damping = 0.3;   ///< [-] of critical, of the vertices that touch; 0 to 1
+  double friction = 0.0;  ///< [-] Coulomb's coefficient mu between the surfaces; 0: they slide
 };
 
 }  // namespace palpate

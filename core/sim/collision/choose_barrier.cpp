@@ -146,6 +146,9 @@ void check_constants(const std::string& where, const BodyPair& pair) {
   if (!(pair.damping >= 0.0 && pair.damping <= 1.0)) {
     refuse(where + ".damping [-]", write_text(pair.damping), "0 to 1");
   }
+  if (!(pair.friction >= 0.0) || !std::isfinite(pair.friction)) {
+    refuse(where + ".friction [-]", write_text(pair.friction), "0, or a positive number");
+  }
 }
 
 void check_apart(const std::string& where, const TissueModel& first, const TissueModel& second,

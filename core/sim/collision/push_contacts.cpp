@@ -70,7 +70,8 @@ double bound_slope(const SurfaceContacts& contacts, double gap, double area) noe
   const Barrier& barrier = contacts.barrier;
   const double part = std::clamp(gap / barrier.thickness, kClosestPart, 1.0);
   const double z = barrier.damping * part, shorter = std::sqrt(1.0 + z * z) - z;
-  return barrier.stiffness * area / (part * part * shorter * shorter);
+  return contacts.bristles.steepening * barrier.stiffness * area /
+         (part * part * shorter * shorter);
 }
 
 /// [m/s] That is too much of a closing speed, in a step of dt [s].
@@ -134,6 +135,7 @@ void add_pushed(std::size_t k, double force, Pushing& pushing) noexcept {
                   compute_barrier_energy(contacts.barrier, contact.gap);
   }
   sum.force -= force * contact.normal;
+  if (contacts.bristles.friction > 0.0) pushing.contacts.bristles.pressed[k] = force;
 }
 
 /// [N s/m] zeta times what is critical; 0 where nothing can move.

@@ -247,6 +247,8 @@ TEST_CASE("what a pair cannot be is refused with where, what and why") {
   CHECK(says(
       with([](Scene& s) { s.body_pairs[0].damping = std::numeric_limits<double>::quiet_NaN(); }),
       "damping [-]: got nan"));
+  CHECK(says(with([](Scene& s) { s.body_pairs[0].friction = -0.1; }),
+             "body_pairs[0].friction [-]: got -0.1, expected 0, or a positive number"));
   CHECK(says(with([](Scene& s) { s.bodies[1].force_error = 1e-3; }), "force_error"));
   CHECK(says(with([](Scene& s) { s.exchange_rate = 100.0; }), "exchange_rate"));
   CHECK(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "palpate/sim/collision/private/barrier.h"
+#include "palpate/sim/collision/private/pair_friction.h"
 #include "palpate/sim/collision/private/touching_surface.h"
 #include "palpate/sim/mesh/mesh.h"
 #include "palpate/sim/model/tissue_model.h"
@@ -83,6 +84,7 @@ struct SurfaceContacts {
   // (push_contacts)
   std::vector<double> resistance;  ///< [N s/m] of the damping, per active one, until it is found
                                    ///< again; kNotKnown where nobody has asked
+  PointBristles bristles;          ///< without friction, empty
 
   std::span<const int> active_in_use() const noexcept {
     return std::span(active).first(static_cast<std::size_t>(active_count));

@@ -9,6 +9,7 @@
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/move_tissue.h"
 #include "palpate/sim/tick/private/sleep.h"
+#include "palpate/sim/tick/private/touch_bodies.h"
 #include "palpate/sim/tick/private/touch_rigid.h"
 #include "palpate/sim/tick/private/world_internals.h"
 
@@ -212,6 +213,7 @@ void accept_energy(Guard& guard) noexcept {
 void keep_checkpoint(World& world) noexcept {
   TickBuffers& work = workspace(world);
   keep_rigid(world);
+  keep_pair_friction(world);
   for (SoftState& state : world.bodies) keep(world.tick_count, state);
   for (std::size_t i = 0; i < world.instruments.size(); ++i) {
     const ToolState& tool = world.instruments[i].tool;
@@ -234,6 +236,7 @@ void rewind(const Scene& scene, World& world) noexcept {
     static_cast<NearMemory&>(work.second[p].near) = work.second_near[p];
   }
   rewind_rigid(scene, world);
+  rewind_pair_friction(world);
 }
 
 void calm_down(const Scene& scene, double dt, World& world) noexcept {

@@ -35,10 +35,25 @@ void forget_impulses(int s, int finest, World& world) noexcept {
   }
 }
 
+/// Calls `visit(bristles)` for all of a pair, where its surfaces rub.
+template <class Visit>
+void for_each_bristles(BodyContacts& contacts, Visit visit) {
+  if (!(contacts.sides[0].bristles.friction > 0.0)) return;
+  for (std::size_t k = 0; k < contacts.side_count; ++k) {
+    visit(contacts.sides[k].bristles);
+    visit(contacts.edges[k].contacts.bristles);
+  }
+}
+
 void note(const ContactSum& sum, double towards_second, BodyPairState& pair) noexcept {
   pair.touching += sum.touching;
   if (sum.touching > 0) pair.least_gap = std::min(pair.least_gap, sum.least_gap);
   pair.force += towards_second * sum.force;
+}
+
+void add(const FrictionSum& friction, ContactSum& sum) noexcept {
+  sum.energy += friction.energy;
+  sum.force += friction.force;
 }
 
 /// What bodies of a pair must be like, each.
@@ -130,6 +145,9 @@ void build_body_contacts(const Scene& scene, World& world) {
           SurfaceContacts(meshes[k], meshes[1 - k], barrier, bodies[0] == bodies[1]);
       if (contacts.side_count == 2)
         contacts.edges[k] = EdgePoints(meshes[k], meshes[1 - k], barrier);
+      for (SurfaceContacts* side : {&contacts.sides[k], &contacts.edges[k].contacts}) {
+        side->bristles = PointBristles(pair.friction, side->area.size());
+      }
       SurfaceTouch& touch = work.touched[bodies[k]];
       if (touch.corner.empty()) touch = SurfaceTouch(tissue);
     }
@@ -185,11 +203,13 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
     const auto& bodies = contacts.bodies;
     double energy = 0.0;
     pair.touching = 0;
+    for_each_bristles(contacts, begin_rubbing);
     for (std::size_t k = 0; k < contacts.side_count; ++k) {
       const double towards_second = contacts.side_count == 1 ? 0.0 : k == 0 ? 1.0 : -1.0;
       const auto push = [&](const TouchingSurface& points, SurfaceContacts& side) noexcept {
-        const ContactSum sum =
-            push_contacts(dt, points, view_surface(scene, bodies[1 - k], world), side, s == 0);
+        const TouchingSurface other = view_surface(scene, bodies[1 - k], world);
+        ContactSum sum = push_contacts(dt, points, other, side, s == 0);
+        if (side.bristles.friction > 0.0) add(rub_contacts(points, other, side), sum);
         note(sum, towards_second, pair);
         energy += sum.energy;
       };
@@ -200,6 +220,18 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
   }
   for (SurfaceTouch& touch : work.touched) touch.went = 0.0;
   work.pace.since += dt;
+}
+
+void keep_pair_friction(World& world) noexcept {
+  for (BodyContacts& contacts : workspace(world).contacts) {
+    for_each_bristles(contacts, keep_bristles);
+  }
+}
+
+void rewind_pair_friction(World& world) noexcept {
+  for (BodyContacts& contacts : workspace(world).contacts) {
+    for_each_bristles(contacts, rewind_bristles);
+  }
 }
 
 void end_touching(int finest, World& world) noexcept {

@@ -108,6 +108,10 @@ void for_each_touched(std::size_t body, World& world, VisitVertex visit_vertex,
 /// Finds the forces between all bodies for substep s of `finest`, each of dt [s].
 void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world) noexcept;
 
+/// Takes note of where bodies stick to each other, and takes them back there.
+void keep_pair_friction(World& world) noexcept;
+void rewind_pair_friction(World& world) noexcept;
+
 /// Ends the substeps of a tick: what each pair did in them.
 void end_touching(int finest, World& world) noexcept;
 
