@@ -3091,6 +3091,7 @@ class BodyPair:
         thickness: float = ...,
         stiffness: float = ...,
         damping: float = ...,
+        friction: float = ...,
     ) -> None:
         """Arguments are the fields of these names, with their shapes and units."""
     @property
@@ -3112,11 +3113,14 @@ class BodyPair:
     @property
     def damping(self) -> float:
         """[-] of critical, of the vertices that touch; 0 to 1."""
+    @property
+    def friction(self) -> float:
+        """[-] Coulomb's coefficient between the surfaces; 0: they slide."""
     def __copy__(self) -> BodyPair:
         """A copy of its own."""
     def __deepcopy__(self, memo: dict[int, object]) -> BodyPair:
         """A copy of its own."""
-    def __getstate__(self, /) -> tuple[object, object, object, object, object]: ...
+    def __getstate__(self, /) -> tuple[object, object, object, object, object, object]: ...
     def __setstate__(self, arg0: tuple) -> None: ...
     def __repr__(self) -> str:
         """The value on one line."""

@@ -162,12 +162,13 @@ void bind_body_pair(py::module_& m) {
                             "Two bodies that may touch, or one that touches itself where it folds, "
                             "and the barrier between their surfaces. Bodies in no common pair pass "
                             "through each other.");
-  pair.def(py::init([](int first, int second, double thickness, double stiffness, double damping) {
-             return BodyPair{first, second, thickness, stiffness, damping};
+  pair.def(py::init([](int first, int second, double thickness, double stiffness, double damping,
+                       double friction) {
+             return BodyPair{first, second, thickness, stiffness, damping, friction};
            }),
            "first"_a = usual.first, "second"_a = usual.second, py::kw_only(),
            "thickness"_a = usual.thickness, "stiffness"_a = usual.stiffness,
-           "damping"_a = usual.damping);
+           "damping"_a = usual.damping, "friction"_a = usual.friction);
   pair.def_readonly("first", &BodyPair::first, "Of Scene.bodies.")
       .def_readonly("second", &BodyPair::second, "Another one; the same for a body that may fold.")
       .def_readonly("thickness", &BodyPair::thickness,
@@ -177,10 +178,12 @@ void bind_body_pair(py::module_& m) {
                     "[N/m³] the pressure over the depth in that thickness; build_scene chooses "
                     "E / (3 thickness) when 0, E of the stiffer body.")
       .def_readonly("damping", &BodyPair::damping,
-                    "[-] of critical, of the vertices that touch; 0 to 1.");
+                    "[-] of critical, of the vertices that touch; 0 to 1.")
+      .def_readonly("friction", &BodyPair::friction,
+                    "[-] Coulomb's coefficient between the surfaces; 0: they slide.");
   def_value(pair, &BodyPair::first, &BodyPair::second, &BodyPair::thickness, &BodyPair::stiffness,
-            &BodyPair::damping);
-  def_repr(pair, {"first", "second", "thickness", "stiffness", "damping"});
+            &BodyPair::damping, &BodyPair::friction);
+  def_repr(pair, {"first", "second", "thickness", "stiffness", "damping", "friction"});
 }
 
 void bind_instrument(py::module_& m) {

@@ -9,12 +9,14 @@
 namespace palpate::scenario {
 namespace {
 
-/// One of a body with itself says that the body may fold.
+/// One of a body with itself says that the body may fold. Readers of before know no friction.
 Json print_pair(const BodyPair& pair) {
-  return {{"bodies", {pair.first, pair.second}},
-          {"thickness", pair.thickness},
-          {"stiffness", pair.stiffness},
-          {"damping", pair.damping}};
+  Json printed = {{"bodies", {pair.first, pair.second}},
+                  {"thickness", pair.thickness},
+                  {"stiffness", pair.stiffness},
+                  {"damping", pair.damping}};
+  if (pair.friction > 0.0) printed["friction"] = pair.friction;
+  return printed;
 }
 
 /// Which two bodies a pair is of, counted from 0.
@@ -47,6 +49,7 @@ void parse_pairs(Fields& scene_fields, Scene& scene) {
     pair.thickness = fields.number("thickness");
     pair.stiffness = fields.number("stiffness");
     pair.damping = fields.number("damping");
+    pair.friction = fields.number_or("friction", 0.0);
     fields.finish();
     if (pair.first == pair.second) {
       scene.bodies[static_cast<std::size_t>(pair.first)].may_fold = true;

@@ -79,6 +79,7 @@ std::vector<Range> build_ranges() {
   ranges.push_back({"scene.body_pairs[i].thickness", "m", 1e-5, 5e-3});
   ranges.push_back({"scene.body_pairs[i].stiffness", "N/m³", 1e3, 1e13});
   ranges.push_back({"scene.body_pairs[i].damping", "-", 0.0, 1.0});
+  ranges.push_back({"scene.body_pairs[i].friction", "-", 0.0, 2.0});
   append_hard_parts(ranges);
   append_numbers(ranges);
   ranges.push_back({"scene.bodies[i].tissue.pressure", "Pa", -1e6, 1e6});
@@ -234,6 +235,7 @@ void check_ranges(const Scene& scene) {
     check_number("scene.body_pairs[i].thickness", pair.thickness, p);
     check_number("scene.body_pairs[i].stiffness", pair.stiffness, p);
     check_number("scene.body_pairs[i].damping", pair.damping, p);
+    check_number("scene.body_pairs[i].friction", pair.friction, p);
   }
 }
 

@@ -131,7 +131,9 @@ MADE: dict[str, Callable[[], object]] = {
     "World": lambda: palpate.World(organ_scene(1)),
     "SoftState": lambda: palpate.World(organ_scene(1)).bodies[0],
     "InstrumentState": lambda: palpate.World(organ_scene(1)).instruments[0],
-    "BodyPair": lambda: palpate.BodyPair(0, 2, thickness=4e-4, stiffness=5e6, damping=0.2),
+    "BodyPair": lambda: palpate.BodyPair(
+        0, 2, thickness=4e-4, stiffness=5e6, damping=0.2, friction=0.05
+    ),
     "ContactPair": lambda: palpate.World(organ_scene(1)).pairs[0],
     "ScriptedDevice": device,
     "SurfacePointer": lambda: palpate.SurfacePointer(organ_scene(1)),

@@ -136,7 +136,8 @@ CHANGES = {
     "a pair of one body": set_in("content|scene|body_pairs", [PAIR | {"bodies": [0]}]),
     "a pair of a body below 0": set_in("content|scene|body_pairs", [PAIR | {"bodies": [0, -1]}]),
     "a pair without a thickness": set_in("content|scene|body_pairs", [PAIR | {"thickness": 0}]),
-    "a pair with friction": set_in("content|scene|body_pairs", [PAIR | {"friction": 1}]),
+    "a pair with a width": set_in("content|scene|body_pairs", [PAIR | {"width": 1}]),
+    "a pair with too much friction": set_in("content|scene|body_pairs", [PAIR | {"friction": 3}]),
     "no list of stones": remove("content|scene|rigid"),
     "a stone without a mass": set_in("content|scene|rigid", [{}]),
     "scenery that stops a body below 0": set_in(

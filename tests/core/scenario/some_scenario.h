@@ -90,7 +90,8 @@ inline Scene make_touching_scene() {
   lower.force_error = 0.0;
   lower.may_fold = true;
   scene.gravity = Vec3::Zero();  // under which the lower one sinks out of touch
-  scene.body_pairs = {{.first = 1, .second = 0, .stiffness = 2e7, .damping = 0.2}};
+  scene.body_pairs = {
+      {.first = 1, .second = 0, .stiffness = 2e7, .damping = 0.2, .friction = 0.0625}};
   return build_scene(std::move(scene));
 }
 

@@ -69,8 +69,10 @@ TEST_CASE("bodies that touch do so in a file that was read, bit for bit") {
     CHECK(pair.thickness == was.thickness);
     CHECK(pair.stiffness == was.stiffness);
     CHECK(pair.damping == was.damping);
+    CHECK(pair.friction == was.friction);
   }
   CHECK(found.scene.body_pairs[0].stiffness == 2e7);
+  CHECK(found.scene.body_pairs[0].friction == 0.0625);
   CHECK_FALSE(found.scene.bodies[0].may_fold);
   CHECK(found.scene.bodies[1].may_fold);
   int touching = 0, touching_as_made = 0;
@@ -78,6 +80,21 @@ TEST_CASE("bodies that touch do so in a file that was read, bit for bit") {
   CHECK(touching > 0);
   CHECK(touching == touching_as_made);
   CHECK(scenario::pack(found).content == scenario::pack(made).content);
+}
+
+TEST_CASE("bodies of a file that says no friction slide on each other") {
+  Container packed = scenario::pack(make_touching());
+  // the one of the lower body with itself is written as all were before there was any
+  CHECK(packed.content.find("\"friction\":0.0625") == packed.content.rfind("\"friction\":0.0625"));
+  const std::string told = "\"friction\":0.0625,";
+  const std::size_t at = packed.content.find(told);
+  REQUIRE(at != std::string::npos);
+  packed.content.erase(at, told.size());
+
+  const Scenario found = scenario::unpack(packed, "file");
+
+  for (const BodyPair& pair : found.scene.body_pairs) CHECK(pair.friction == 0.0);
+  CHECK(scenario::pack(found).content == packed.content);
 }
 
 TEST_CASE("a scene whose bodies do not touch says that in a list without entries") {
@@ -106,8 +123,14 @@ TEST_CASE("what is wrong with a pair in a file is refused by its number") {
                  "scene.body_pairs[0].stiffness: got 0, expected 1000 to 1e+13 N/m³"));
   CHECK(contains(refuse_content("\"damping\":0.2", "\"damping\":2"),
                  "scene.body_pairs[0].damping: got 2, expected 0 to 1 -"));
-  CHECK(contains(refuse_content("\"damping\":0.2", "\"damping\":0.2,\"friction\":1"),
-                 place + ": got an unknown member \"friction\""));
+  CHECK(contains(refuse_content("\"damping\":0.2", "\"damping\":0.2,\"width\":1"),
+                 place + ": got an unknown member \"width\""));
+  CHECK(contains(refuse_content("\"friction\":0.0625", "\"friction\":2.5"),
+                 "scene.body_pairs[0].friction: got 2.5, expected 0 to 2 -"));
+  CHECK(contains(refuse_content("\"friction\":0.0625", "\"friction\":-1"),
+                 "scene.body_pairs[0].friction: got -1, expected 0 to 2 -"));
+  CHECK(contains(refuse_content("\"friction\":0.0625", "\"friction\":\"wet\""),
+                 place + ".friction: got \"wet\", expected a number"));
   CHECK(contains(refuse_content("\"body_pairs\":[", "\"unused\":["),
                  "content.scene.body_pairs: got nothing"));
   CHECK(contains(refuse_content("\"body_pairs\":[", "\"body_pairs\":[7,"),
