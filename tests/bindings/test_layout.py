@@ -20,6 +20,7 @@ from palpate.layout.document import (
     Layout,
     LayoutError,
     PlacedBody,
+    PlacedScenery,
     TouchingPair,
 )
 from palpate.layout.gaps import find_least
@@ -112,7 +113,7 @@ def test_no_more_steps_are_kept_than_there_is_room_for():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (lambda made: made | {"version": 7}, "version: got 7"),
+        (lambda made: made | {"version": 8}, "version: got 8"),
         (lambda made: made | {"gravity": 1}, "unknown field"),
         (lambda made: made | {"now": 7}, "got 7, expected an object"),
         (lambda made: made["now"]["bodies"][0].pop("sha256") and made, "no sha256"),
@@ -136,6 +137,12 @@ def test_a_damaged_layout_is_refused_and_stays_as_it_is(change, said, two):
         read_layout(path)
 
     assert path.read_bytes() == before
+
+
+def test_what_a_scenery_stops_rubs_with_that_scenery_alike(two):
+    layout = replace(two[1], scenery=(PlacedScenery("table", "table.obj", ""),))
+    with pytest.raises(LayoutError, match="table: got a friction of its pair with low"):
+        document.set_pair(layout, TouchingPair("low", "table", friction=0.1))
 
 
 def test_a_body_that_is_removed_takes_its_pairs_with_it(two):

@@ -32,7 +32,7 @@ LAYOUT = Layout(
         PlacedBody("kidney", "kidney.palpate", "0" * 64, weightless=True, tool_friction=(0.05,)),
         PlacedBody("bowel", "b.palpate", ""),
     ),
-    pairs=(TouchingPair("kidney", "bowel", thickness=4e-4),),
+    pairs=(TouchingPair("kidney", "bowel", thickness=4e-4, friction=0.05),),
     stones=(PlacedStone("stone", "stone.obj", "1" * 64, scale=1e-3),),
     scenery=(PlacedScenery("tray", "tray.obj", "2" * 64, stops=("kidney",)),),
     gravity=(0.0, 0.0, -9.81),
@@ -88,6 +88,7 @@ DAMAGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "tray.friction": lambda data: data["now"]["scenery"][0].update(friction=-0.1),
     "scenery[0].stops": lambda data: data["now"]["scenery"][0].update(stops=["kidney"] * 2),
     "pairs[0].thickness": lambda data: data["now"]["pairs"][0].update(thickness=-1e-4),
+    "pairs[0].friction": lambda data: data["now"]["pairs"][0].update(friction=-0.1),
     "gravity": lambda data: data["now"].update(gravity=[1.0]),
     "fluid": lambda data: data["now"].update(fluid=[1000.0, -1.0]),
     "tools[0].kind": lambda data: data["now"]["tools"][0].update(kind="spoon"),
@@ -109,17 +110,36 @@ def test_a_damaged_layout_is_refused_by_schema_and_reader_alike(schema, tmp_path
 
 
 def make_older(data: dict[str, Any]) -> None:
-    """Without what was placed says since versions 5 and 6."""
+    """Without what was placed says since versions 5 and 6, and pairs since 7."""
     for layout in (data["now"], *data["before"], *data["undone"]):
+        for pair in layout["pairs"]:
+            del pair["friction"]
         for part in (*layout["bodies"], *layout["stones"], *layout["scenery"]):
             part.pop("weightless", None)
             del part["tool_friction"]
+
+
+def test_organs_of_a_layout_of_version_6_slide_on_each_other(tmp_path):
+    path, data = write(tmp_path)
+    data["version"] = 6
+    for layout in (data["now"], *data["before"], *data["undone"]):
+        for pair in layout["pairs"]:
+            del pair["friction"]
+    path.write_text(json.dumps(data), encoding="utf-8")
+
+    assert [pair.friction for pair in read_layout(path).now.pairs] == [0.0]
+    data["now"]["pairs"][0]["friction"] = 0.0
+    path.write_text(json.dumps(data), encoding="utf-8")
+    with pytest.raises(Refusal, match="pairs.friction: got one in a layout of version 6"):
+        read_layout(path)
 
 
 def test_a_layout_of_version_5_rubs_alike_on_all(tmp_path):
     path, data = write(tmp_path)
     data["version"] = 5
     for layout in (data["now"], *data["before"], *data["undone"]):
+        for pair in layout["pairs"]:
+            del pair["friction"]
         for part in (*layout["bodies"], *layout["stones"], *layout["scenery"]):
             del part["tool_friction"]
     path.write_text(json.dumps(data), encoding="utf-8")

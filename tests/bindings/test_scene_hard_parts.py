@@ -277,7 +277,9 @@ def test_a_layout_file_with_a_tool_that_cannot_be_is_refused(layout, capsys, nam
 
 
 def make_older(layout: dict[str, Any]) -> None:
-    """Without what was placed says since versions 5 and 6."""
+    """Without what was placed says since versions 5 and 6, and pairs since 7."""
+    for pair in layout["pairs"]:
+        pair.pop("friction", None)
     for name in ("bodies", "stones", "scenery"):
         for part in layout.get(name, ()):
             part.pop("weightless", None)
@@ -307,7 +309,7 @@ def test_a_layout_of_before_there_were_stones_is_read(layout, capsys):
     assert read_layout(layout).now.stones == ()
     told = say(capsys, "place", layout, "organ", "--by", "0,0,1")
     assert (told["code"], told["stones"], told["scenery"]) == (0, [], [])
-    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 6
+    assert json.loads(layout.read_text(encoding="utf-8"))["version"] == 7
 
 
 @pytest.mark.parametrize(

@@ -55,6 +55,31 @@ def test_from_nothing_to_a_file_that_is_pressed_and_replays(layout, tmp_path, ca
     assert "the same bits" in capsys.readouterr().out
 
 
+def test_organs_rub_on_each_other_where_their_pair_says_so(layout, tmp_path, capsys):
+    out = tmp_path / "rubs.palpate"
+    told = say(capsys, "pair", layout, "low", "high", "--friction", 0.05)
+    assert (told["pairs"], told["pair_friction"]) == ([["low", "high"]], [0.05])
+    assert main(["scene", "set", str(layout), "--title", "Rubs"]) == 0
+    assert "low and high may touch, and rub with 0.05" in capsys.readouterr().out
+
+    told = say(capsys, "publish", layout, "-o", out)
+
+    assert (told["code"], told["costs"][0]["friction"]) == (0, 0.05)
+    (pair,) = palpate.scenario.read(out).scene.body_pairs
+    assert pair.friction == 0.05
+    assert main(["press", str(out), "--at", "0,0,80", "--record", str(tmp_path / "a.prec")]) == 0
+    assert main(["replay", str(tmp_path / "a.prec")]) == 0
+    assert "the same bits" in capsys.readouterr().out
+    told = say(capsys, "pair", layout, "low", "high")
+    assert told["pair_friction"] == [0.0]
+
+
+@pytest.mark.parametrize("friction", [-0.1, 2.5])
+def test_a_coefficient_that_no_file_can_hold_is_refused(layout, capsys, friction):
+    assert main(["scene", "pair", str(layout), "low", "high", f"--friction={friction}"]) == 2
+    assert f"friction: got {friction:g}, expected 0" in capsys.readouterr().err
+
+
 def test_a_change_is_undone_and_made_again_by_later_calls(layout, capsys):
     before = json.loads(layout.read_text(encoding="utf-8"))["now"]
 

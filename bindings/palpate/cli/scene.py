@@ -141,6 +141,10 @@ def add_pair(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--thickness", type=quantity("m"), default=0.0, help="default: chosen")
     parser.add_argument("--stiffness", type=quantity("N/m3"), default=0.0, help="default: chosen")
     parser.add_argument("--damping", type=float, default=0.3, help="[-] of critical (0.3)")
+    parser.add_argument(
+        "--friction", type=float, default=0.0,
+        help="[-] of one on the other; wet serosa has some hundredths (0)",
+    )  # fmt: skip
     parser.add_argument("--remove", action="store_true", help="they pass through each other")
 
 
@@ -275,6 +279,7 @@ def describe_layout(layout: Layout) -> Report:
         "fluid": list(layout.fluid) or None,
         "bodies": bodies,
         "pairs": pairs,
+        "pair_friction": [pair.friction for pair in layout.pairs],
         "stones": stones,
         "scenery": scenery,
         "tools": [vars(tool) for tool in layout.tools],

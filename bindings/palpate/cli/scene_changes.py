@@ -155,7 +155,9 @@ def snap_body(layout: Layout, call: argparse.Namespace) -> Layout:
 def change_pair(layout: Layout, call: argparse.Namespace) -> Layout:
     if call.remove:
         return document.remove_pair(layout, call.first, call.second)
-    pair = TouchingPair(call.first, call.second, call.thickness, call.stiffness, call.damping)
+    pair = TouchingPair(
+        call.first, call.second, call.thickness, call.stiffness, call.damping, call.friction
+    )
     return document.set_pair(layout, pair)
 
 

@@ -33,7 +33,8 @@ def describe_scene(report: Report) -> str:
         steps, limits = len(task.get("steps", [])), len(task.get("limits", []))
         lines.append(f"  judged: {steps} steps, {limits} limits, as `scene task --write` shows")
     if "problems" not in report:
-        lines += [f"  {first} and {second} may touch" for first, second in report["pairs"]]
+        pairs = zip(report["pairs"], report["pair_friction"], strict=True)
+        lines += [f"  {one} and {other} may touch{describe_rub(mu)}" for (one, other), mu in pairs]
         lines.append(f"  {report['can_undo']} changes can be undone, {report['can_redo']} redone")
         return "\n".join(lines)
     lines += map(describe_costs, report["costs"])
@@ -51,6 +52,10 @@ def describe_place(told: dict[str, Any]) -> str:
     )
 
 
+def describe_rub(friction: float) -> str:
+    return f", and rub with {friction:g}" if friction else ""
+
+
 def describe_hull(told: dict[str, Any]) -> str:
     said = f"; a stone of {told['density_kg_per_m3']:g} kg/m³, {told['spheres']} spheres"
     if "mass_kg" not in told:
@@ -66,6 +71,7 @@ def describe_tool(told: dict[str, Any]) -> str:
 
 def describe_costs(told: dict[str, Any]) -> str:
     head = f"  {told['pair']}: thickness {1e3 * told['thickness_m']:.2f} mm"
+    head += describe_rub(told["friction"])
     if "pair_median_us" not in told:
         return head
     return (

@@ -86,7 +86,10 @@ def choose_barriers(layout: Layout, bodies: list[palpate.SoftBody]) -> list[palp
         np.asarray(away.rest_position)[:, 0] += APART
         two = [palpate.SoftBody(tissue=tissue) for tissue in (bodies[first].tissue, away)]
         pair = palpate.BodyPair(
-            thickness=row.thickness, stiffness=row.stiffness, damping=row.damping
+            thickness=row.thickness,
+            stiffness=row.stiffness,
+            damping=row.damping,
+            friction=row.friction,
         )
         try:
             chosen = palpate.build_scene(palpate.Scene(bodies=two, body_pairs=[pair]))
@@ -100,6 +103,7 @@ def choose_barriers(layout: Layout, bodies: list[palpate.SoftBody]) -> list[palp
                 thickness=pair.thickness,
                 stiffness=pair.stiffness,
                 damping=pair.damping,
+                friction=pair.friction,
             )
         )
     return made

@@ -277,6 +277,7 @@ def describe_pair(
         "thickness_m": pair.thickness,
         "stiffness_N_per_m3": pair.stiffness,
         "damping": pair.damping,
+        "friction": pair.friction,
     }
     if cost is not None:
         told |= {

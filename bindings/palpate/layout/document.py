@@ -12,7 +12,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-FORMAT, VERSION = "palpate layout", 6
+FORMAT, VERSION = "palpate layout", 7
+MOST_FRICTION = 2.0
+"""[-] That a scene file can hold."""
 MOST_STEPS = 100
 """Changes that can be undone; older ones are forgotten."""
 
@@ -87,6 +89,8 @@ class TouchingPair:
     """[N/m³] 0: chosen from the bodies."""
     damping: float = 0.3
     """[-] of critical."""
+    friction: float = 0.0
+    """[-] Coulomb's coefficient; 0: they slide. Wet serosa has some hundredths."""
 
 
 @dataclass(frozen=True)
@@ -239,13 +243,20 @@ def set_pair(layout: Layout, pair: TouchingPair) -> Layout:
         raise LayoutError(
             f"{pair.first}: got a body with itself, expected two; --fold lets it fold"
         )
-    for name in ("thickness", "stiffness", "damping"):
+    for name in ("thickness", "stiffness", "damping", "friction"):
         value = getattr(pair, name)
         if not value >= 0.0:
             raise LayoutError(f"{name}: got {value:g}, expected 0 or more")
+    if pair.friction > MOST_FRICTION:
+        raise LayoutError(f"friction: got {pair.friction:g}, expected 0 to {MOST_FRICTION:g}")
     stopped = find_stopped(layout, pair.first, pair.second)
     if stopped is not None:
         scenery, body = stopped
+        if pair.friction:
+            raise LayoutError(
+                f"{scenery.name}: got a friction of its pair with {body}, expected none: a scenery "
+                "has one for all that it stops"
+            )
         stops = tuple(dict.fromkeys((*scenery.stops, body)))
         return change_part(layout, scenery.name, lambda each: replace(each, stops=stops))
     others = tuple(p for p in layout.pairs if not is_of(p, pair.first, pair.second))

@@ -19,13 +19,14 @@ from palpate.scene.instrument_kinds import KINDS
 
 MOST_BYTES = 16 * 2**20
 ADDED = {1: ("stones", "scenery", "gravity", "fluid", "tools", "assessment"),
-         2: ("fluid", "tools", "assessment"), 3: ("assessment",), 4: (), 5: ()}  # fmt: skip
+         2: ("fluid", "tools", "assessment"), 3: ("assessment",), 4: (), 5: (), 6: ()}  # fmt: skip
 """What a layout of an older version had not."""
 OF_PARTS: dict[str, tuple[int, tuple[str, ...], object]] = {
     "weightless": (5, ("bodies",), False),
     "tool_friction": (6, ("bodies", "stones", "scenery"), []),
+    "friction": (7, ("pairs",), 0.0),
 }
-"""What is placed has since this version, in these lists; before, all are as if they had this."""
+"""What the rows of these lists have since this version; before, all are as if they had this."""
 
 
 def read_layout(path: Path) -> History:
