@@ -109,6 +109,10 @@
         <translation>Coulomb katsayısı. Yoksa, geri kalan her şeyde olduğu gibi, aletinki.</translation>
     </message>
     <message>
+        <source>Coulomb's coefficient: some hundredths of wet serosa; 0: they slide.</source>
+        <translation>Coulomb katsayısı: ıslak serozanınki yüzde birkaçtır; 0: kayarlar.</translation>
+    </message>
+    <message>
         <source>Place published organs, stones and scenery, and say which may touch.</source>
         <translation>Yayımlanmış organları, taşları ve sabit çevreyi yerleştirin; hangilerinin dokunabileceğini belirtin.</translation>
     </message>

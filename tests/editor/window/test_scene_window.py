@@ -199,9 +199,18 @@ def test_pairs_are_ticked_and_have_constants(scene):
     row.thickness.lineEdit().setText("0.4")
     row.thickness.enter()
     assert scene.session.layout.pairs[0].thickness == pytest.approx(4e-4)
+    assert row.friction.lineEdit().text() == "0"
+    row.friction.lineEdit().setText("0.05")
+    row.friction.enter()
+    (pair,) = scene.session.layout.pairs
+    assert (pair.thickness, pair.friction) == (pytest.approx(4e-4), 0.05)
+    assert log(scene).endswith("--thickness=0.4mm --friction=0.05")
+    row.friction.lineEdit().setText("-1")
+    row.friction.enter()
+    assert scene.session.layout.pairs == (pair,)
     row.tick.click()
     assert scene.session.layout.pairs == ()
-    assert row.thickness.isHidden()
+    assert row.thickness.isHidden() and row.friction.isHidden()
 
 
 def test_an_overlap_is_shown_where_it_is_and_parted_with_a_report(qtbot, scene):

@@ -40,7 +40,7 @@ def list_rows(layout: Layout) -> list[Row]:
 
 
 class PairRow(QWidget):
-    """A box to tick, thickness and stiffness."""
+    """A box to tick, thickness, stiffness and friction."""
 
     wanted = Signal(object)
 
@@ -53,16 +53,22 @@ class PairRow(QWidget):
         self.tick.clicked.connect(self._switch)
         grid.addWidget(self.tick, 0, 0, 1, 4)
         self.thickness, self.stiffness = QuantityBox("mm", 1e-3, self), QuantityBox("", 1e9, self)
-        self.labels = [QLabel(tr("thick (mm)"), self), QLabel(tr("stiff (N/mm³)"), self)]
-        for place, (label, box) in enumerate(
-            zip(self.labels, (self.thickness, self.stiffness), strict=True)
-        ):
+        self.friction = QuantityBox("", 1.0, self)
+        self.boxes = (self.thickness, self.stiffness, self.friction)
+        self.labels = [
+            QLabel(words, self) for words in (tr("thick (mm)"), tr("stiff (N/mm³)"), tr("Friction"))
+        ]
+        for place, (label, box) in enumerate(zip(self.labels, self.boxes, strict=True)):
             label.setProperty("role", "name")
             box.setMinimumWidth(58)
             box.setToolTip(tr("0: chosen from the two organs"))
             box.entered.connect(self._enter)
-            grid.addWidget(label, 1, 2 * place)
-            grid.addWidget(box, 1, 2 * place + 1)
+            line, column = divmod(place, 2)
+            grid.addWidget(label, 1 + line, 2 * column)
+            grid.addWidget(box, 1 + line, 2 * column + 1)
+        self.friction.setToolTip(
+            tr("Coulomb's coefficient: some hundredths of wet serosa; 0: they slide.")
+        )
 
     def show_row(self, row: Row) -> None:
         self.row = row
@@ -71,11 +77,12 @@ class PairRow(QWidget):
         self.tick.setObjectName(f"pair {row.first} {row.second}")
         with QSignalBlocker(self.tick):
             self.tick.setChecked(row.ticked)
-        for widget in (*self.labels, self.thickness, self.stiffness):
+        for widget in (*self.labels, *self.boxes):
             widget.setVisible(row.pair is not None)
         if row.pair is not None:
             self.thickness.show_value(row.pair.thickness)
             self.stiffness.show_value(row.pair.stiffness)
+            self.friction.show_value(row.pair.friction)
 
     def _switch(self, on: bool) -> None:
         if self.row is not None:
@@ -88,6 +95,7 @@ class PairRow(QWidget):
             return
         thick = value if self.sender() is self.thickness else pair.thickness
         stiff = value if self.sender() is self.stiffness else pair.stiffness
+        friction = value if self.sender() is self.friction else pair.friction
         words = ["pair", pair.first, pair.second]
         if thick:
             words.append(f"--thickness={1e3 * thick:.9g}mm")
@@ -95,6 +103,8 @@ class PairRow(QWidget):
             words.append(f"--stiffness={stiff:.9g}N/m3")
         if pair.damping != TouchingPair("", "").damping:
             words.append(f"--damping={pair.damping:.9g}")
+        if friction:
+            words.append(f"--friction={friction:.9g}")
         self.wanted.emit(tuple(words))
 
 
