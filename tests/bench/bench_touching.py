@@ -4,8 +4,9 @@ one process. Two layers, the upper one pressed by a ball and the lower one from 
 move in either scene; or a block that is laid down on a layer under its weight. Layers that lie on
 each other begin at the thickness of the barrier over their whole faces; those that are pressed
 together touch where the upper one is bent; the block is turned, so that no vertex is over another.
+With a coefficient of friction a third scene takes its turn, in which they rub on each other.
 
-.venv/bin/python tests/bench/bench_touching.py [CELLS]
+.venv/bin/python tests/bench/bench_touching.py [CELLS [FRICTION]]
 """
 
 from __future__ import annotations
@@ -28,17 +29,18 @@ SCENES = (("on each other", GAP, 4e-3), ("pressed together", 8e-4, 6e-3),
 LAID = "laid on"
 BLOCK, BLOCK_GAP, TURN = 0.045, 4e-4, 0.37
 """[m] A side of the block, and how far it is over the layer; [rad] by which it is turned."""
+Pairs = list[palpate.BodyPair]
 LEAST, MOST = 0.05, 0.1
 """[-] Of all particles that are vertices in touch: the share that is asked about."""
 
 
-def make_scene(cells: int, gap: float, paired: bool) -> palpate.Scene:
+def make_scene(cells: int, gap: float, pairs: Pairs) -> palpate.Scene:
     bodies = [make_layer(SIDE, cells, z, 5e3) for z in (0.0, THICKNESS + gap)]
     balls = [palpate.Instrument(tool=palpate.Tool(radius=RADIUS)) for _ in range(2)]
-    return build(bodies, balls, paired)
+    return build(bodies, balls, pairs)
 
 
-def make_laid(cells: int, paired: bool) -> palpate.Scene:
+def make_laid(cells: int, pairs: Pairs) -> palpate.Scene:
     """A free block as fine as the layer, which falls on it; without the pair through it."""
     fine = max(2, round(cells * BLOCK / SIDE))
     block = make_block((fine, fine, 2), (BLOCK, BLOCK, THICKNESS))
@@ -49,10 +51,10 @@ def make_laid(cells: int, paired: bool) -> palpate.Scene:
     tissue = palpate.build_solid(palpate.SolidMesh(points, block.tetrahedra), material)
     bodies = [make_layer(SIDE, cells, 0.0, 5e3), palpate.SoftBody(tissue=tissue)]
     balls = [palpate.Instrument(tool=palpate.Tool(radius=RADIUS)) for _ in range(2)]
-    return build(bodies, balls, paired, (0.0, 0.0, -9.81))
+    return build(bodies, balls, pairs, (0.0, 0.0, -9.81))
 
 
-def build(bodies, instruments, paired: bool, gravity=(0.0, 0.0, 0.0)) -> palpate.Scene:
+def build(bodies, instruments, pairs: Pairs, gravity=(0.0, 0.0, 0.0)) -> palpate.Scene:
     for body in bodies:
         body.substeps = body.substeps_max = SUBSTEPS
     return palpate.build_scene(
@@ -60,7 +62,7 @@ def build(bodies, instruments, paired: bool, gravity=(0.0, 0.0, 0.0)) -> palpate
             bodies=bodies,
             instruments=instruments,
             gravity=gravity,
-            body_pairs=[palpate.BodyPair(0, 1)] if paired else [],
+            body_pairs=pairs,
         )
     )
 
@@ -92,11 +94,14 @@ def time_ticks(scene: palpate.Scene, world: palpate.World, samples) -> float:
 
 def main() -> int:
     cells = int(sys.argv[1]) if len(sys.argv) > 1 else 29
+    ways: list[Pairs] = [[palpate.BodyPair(0, 1)], []]
+    if len(sys.argv) > 2:
+        ways.append([palpate.BodyPair(0, 1, friction=float(sys.argv[2]))])
     todo = [
-        (name, [make_scene(cells, gap, paired) for paired in (True, False)], press(gap, depth))
+        (name, [make_scene(cells, gap, pairs) for pairs in ways], press(gap, depth))
         for name, gap, depth in SCENES
     ]
-    todo.append((LAID, [make_laid(cells, paired) for paired in (True, False)], stay_away()))
+    todo.append((LAID, [make_laid(cells, pairs) for pairs in ways], stay_away()))
     for name, scenes, samples in todo:
         worlds = [palpate.World(scene) for scene in scenes]
         times, touching = [], []
@@ -113,14 +118,15 @@ def main() -> int:
 
 
 def tell(name: str, count: int, share: np.ndarray, times: np.ndarray) -> None:
-    """One line of what ticks cost [s] (n, 2) with the pair and without."""
-    paired, alone = 1e6 * np.median(times, axis=0)
-    worst, worst_alone = 1e6 * np.quantile(times, 0.99, axis=0)
+    """One line of what ticks cost [s] (n, 2) with the pair and without; (n, 3) with friction."""
+    paired, alone, *rubbing = 1e6 * np.median(times, axis=0)
+    worst, worst_alone, *_ = 1e6 * np.quantile(times, 0.99, axis=0)
     print(
         f"{name}: {100 * share.mean():.1f} % of {count} touch in {len(share)} ticks; median "
         f"{paired:.0f} us with the pair, {alone:.0f} without: {paired - alone:+.0f} us, "
         f"{paired / alone:.2f} times; p99 {worst / paired:.2f} and {worst_alone / alone:.2f} of "
         "the medians"
+        + "".join(f"; {us:.0f} us where they rub, {us - paired:+.0f}" for us in rubbing)
     )
 
 

@@ -162,8 +162,28 @@ def check(scene: palpate.Scene, handled: Handled) -> None:
     assert handled.fastest < FASTEST
 
 
-def handle_and_replay(name: str, seed: int, seconds: float) -> None:
-    scene = read_scene(SCENES / f"{name}.palpate")
+def rub(scene: palpate.Scene, friction: float) -> palpate.Scene:
+    """The scene with a coefficient of all its pairs; without one as it is."""
+    if friction == 0.0:
+        return scene
+    pairs = [
+        palpate.BodyPair(
+            pair.first,
+            pair.second,
+            thickness=pair.thickness,
+            stiffness=pair.stiffness,
+            damping=pair.damping,
+            friction=friction,
+        )
+        for pair in scene.body_pairs
+    ]
+    parts = ("bodies", "instruments", "gravity", "rate", "rigid", "scenery", "fluid")
+    kept = {name: getattr(scene, name) for name in parts}
+    return palpate.build_scene(palpate.Scene(**kept, body_pairs=pairs))
+
+
+def handle_and_replay(name: str, seed: int, seconds: float, friction: float = 0.0) -> None:
+    scene = rub(read_scene(SCENES / f"{name}.palpate"), friction)
 
     handled = handle(scene, seed, seconds)
 
@@ -176,6 +196,23 @@ def handle_and_replay(name: str, seed: int, seconds: float) -> None:
 
 def test_a_random_hand_on_two_organs_passes_nothing_through_and_replays_to_the_bit():
     handle_and_replay("liver_gallbladder", 1, 0.3)
+
+
+def test_nor_on_two_that_rub_on_each_other():
+    scene = rub(read_scene(SCENES / "liver_gallbladder.palpate"), 0.05)
+
+    handled = handle(scene, 1, 1.5)
+
+    check(scene, handled)
+    assert handled.touched > 0
+    assert palpate.replay(scene, handled.write_record()).equal
+
+
+@pytest.mark.parametrize("friction", [0.05, 0.5])
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.landing
+def test_nor_does_one_for_some_seconds_where_organs_rub_on_each_other(name, friction):
+    handle_and_replay(name, 0 if name == STONE else 1, 8.0, friction)
 
 
 @pytest.mark.parametrize("name", NAMES)

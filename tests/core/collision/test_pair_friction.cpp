@@ -222,3 +222,41 @@ TEST_CASE("surfaces rub with opposite forces, vertices and middles of edges alik
     CHECK(done.force.norm() < 1e-12 * done.whole);
   }
 }
+
+TEST_CASE("a surface that is folded onto itself rubs on itself, and its forces sum to none") {
+  const TissueModel ball = make_ball(3);
+  constexpr Barrier kBarrier{4e-4, 5e6, 0.3};
+  Moved surface(ball);
+  SurfaceContacts contacts(surface_of(ball), surface_of(ball), kBarrier, true);
+  contacts.bristles = PointBristles(kFriction, contacts.area.size());
+  // bent into a ring until its ends are 0.3 mm apart, and then the ends past each other
+  constexpr double kPi = 3.14159265358979, kRadius = 0.03 / (kPi - 0.0157);
+  const auto bend = [&](double past) {
+    for (std::size_t v = 0; v < surface.x.size(); ++v) {
+      const Vec3& x = ball.rest_position[v];
+      const double angle = x.x() / kRadius, radius = kRadius + 0.1 * x.z();
+      surface.x[v] = {radius * std::sin(angle), 0.1 * x.y() + past * x.x() / 0.03,
+                      radius * std::cos(angle)};
+    }
+    surface.tree.refit(surface.x);
+  };
+  bend(0.0);
+  renew_lists(surface.x, surface.tree, surface.x, 0.05, contacts);
+  find_near(surface.x, ball.triangles, surface.x, contacts);
+  FrictionSum sum;
+  for (const double past : {0.0, 2e-5}) {
+    bend(past);
+    clear(surface);
+    begin_rubbing(contacts.bristles);
+    REQUIRE(push_contacts(1e-4, surface.view(), surface.view(), contacts).touching > 0);
+    sum = rub_contacts(surface.view(), surface.view(), contacts);
+  }
+  CHECK(sum.energy > 0.0);
+  Vec3 all = Vec3::Zero();
+  double whole = 0.0;
+  for (const Vec3& f : surface.touch.force) {
+    all += f;
+    whole += f.norm();
+  }
+  CHECK(all.norm() < 1e-12 * whole);
+}
