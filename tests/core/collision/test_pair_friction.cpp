@@ -17,7 +17,9 @@ constexpr double kFriction = 0.5;
 constexpr Barrier kUndamped{4e-4, 5e6, 0.0};
 
 /// Begins a substep: no forces so far.
-void clear(Moved& surface) { take_pushes(surface.touch, [](const Push&) {}); }
+void clear(Moved& surface) {
+  take_pushes(surface.touch, [](const Push&) {});
+}
 
 /// A triangle of particles of a gram each.
 TissueModel make_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -45,7 +45,7 @@ struct NearList {
   }
 
   std::vector<int> particles, skin;
-  int particle_count = 0, skin_count = 0;            ///< how many of them are in use
+  int particle_count = 0, skin_count = 0;  ///< how many of them are in use
   /// The last tick in which each was listed.
   std::vector<long> particle_last_at, skin_last_at, triangle_last_at;
 };
