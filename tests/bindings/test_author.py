@@ -10,7 +10,7 @@ from pathlib import Path
 import palpate
 import pytest
 from palpate import scenario
-from palpate.assessment import author, author_values
+from palpate.assessment import author, author_tools, author_values
 from palpate.assessment.author import AuthorError
 from palpate.assessment.check import find_problems
 from palpate.assessment.check_parts import find_all_problems
@@ -306,6 +306,13 @@ def test_every_action_of_the_stage_is_a_verb(tmp_path, capsys):
     assert call("text", task, "nothing", "x") == 2
     assert call("parameter", task, "--set", "most", "--level", "easy=1") == 2
     assert task.read_bytes() == before
+
+    assert call("tool", task, "--set", "second", "--kind", "probe") == 0
+    second = author_tools.give_step(read_assessment(task), "hold", "second")
+    task.write_text(json.dumps(second), encoding="utf-8")
+    capsys.readouterr()
+    assert call("record", task, "hold", record, organ) == 2  # the band would be the first's
+    assert "expected number 2, with which the step is done" in capsys.readouterr().err
 
 
 def test_check_lists_what_is_wrong_with_every_part_at_once(tmp_path, capsys):

@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import copy
+from types import SimpleNamespace
 
 import numpy as np
 import palpate
 import pytest
 from palpate import scenario
+from palpate.cli.play import describe_play_report
 from palpate.command.verb import WrongCall
 from palpate.render import build_instrument
-from palpate.runs.felt import read_column, read_touched
+from palpate.runs.felt import read_all_rendered, read_column, read_felt_by_any, read_touched
 from palpate.runs.other_hands import find_centre, find_fulcrum, name_hands, park
 from palpate.runs.pictures import place_instruments
 from palpate.runs.play import open_play
@@ -70,7 +72,36 @@ def test_two_scripts_drive_two_instruments_at_once(published, tmp_path):
     assert rows.instruments == 2 and report["outcome"] == "done"
     both = read_touched(rows, 0) & read_touched(rows, 1)
     assert both.sum() > 100
+    any_touches = read_touched(rows, 0) | read_touched(rows, 1)
+    assert report["time_in_touch_s"] == report["time_in_touch_computed_s"]
+    assert report["time_in_touch_s"] == pytest.approx(1e-3 * any_touches.sum())
+    assert " s in touch, of any of 2 instruments\n" in describe_play_report(report)
     assert palpate.replay(play.scenario.scene, rows).equal
+
+
+def test_what_only_the_second_instrument_felt_is_told_of_the_run(published, tmp_path):
+    scene = scenario.read(published).scene
+    away = write_touch(tmp_path / "a.json", scene, 0.0, -0.008)
+    second = write_touch(tmp_path / "b.json", scene, 0.008, 0.004)
+    record = tmp_path / "two.prec"
+    play = open_play(published, [f"script:{away}", f"script:{second}"], record=record)
+
+    report = play_headless(play)
+
+    rows = palpate.read_record(record)
+    assert not read_touched(rows, 0).any()
+    force = np.linalg.norm(read_column(rows, "felt", "force", 1).astype(float), axis=1)
+    assert report["peak_computed_N"] == pytest.approx(force.max()) and force.max() > 0.05
+    assert report["time_in_touch_computed_s"] == pytest.approx(1e-3 * read_touched(rows, 1).sum())
+
+
+def test_motors_of_two_devices_are_off_no_longer_than_the_run(tmp_path):
+    off = np.zeros((4, 2), dtype=[("touched", np.uint32)])
+    off["touched"][:3, 0] = off["touched"][1:, 1] = palpate.NOT_RENDERED
+    hand = np.zeros((4, 2), dtype=[("time", float)])
+    record = SimpleNamespace(hand=hand, felt=off, instruments=2)
+    assert read_all_rendered(record).tolist() == [False] * 4
+    assert not read_felt_by_any(record).any()
 
 
 def test_the_other_hand_is_parked_beside_the_organ(published, tmp_path):

@@ -171,10 +171,12 @@ def describe_felt(report: Report) -> list[str]:
     """What was felt and, where that is not what was computed, both."""
     felt = report["peak_force_N"], report["time_in_touch_s"]
     computed = report["peak_computed_N"], report["time_in_touch_computed_s"]
-    lines = [f"peak force   {felt[0]:.3f} N, {felt[1]:.1f} s in touch"]
+    several = report["instruments"] > 1
+    whose = f", of any of {report['instruments']} instruments" if several else ""
+    lines = [f"peak force   {felt[0]:.3f} N, {felt[1]:.1f} s in touch{whose}"]
     differ = any(abs(a - b) > MUCH * b for a, b in zip(felt, computed, strict=True))
     if differ:
-        lines.append(f"computed     {computed[0]:.3f} N, {computed[1]:.1f} s in touch")
+        lines.append(f"computed     {computed[0]:.3f} N, {computed[1]:.1f} s in touch{whose}")
     if report["motors_off_s"] > 0.0:
         lines.append(f"motors off   {report['motors_off_s']:.3f} s: what was computed was not felt")
     return lines

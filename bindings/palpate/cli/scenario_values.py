@@ -152,8 +152,14 @@ def change_recorded(made: Json, call: argparse.Namespace) -> Json:
     step = made["steps"][author.find(made["steps"], call.step)]
     if step["do"] not in RECORDED:
         raise AuthorError(f"step: got one to {step['do']}, expected {', '.join(RECORDED)}")
-    scene = scenario.read(call.organ).scene
-    values = find_bands(scene, palpate.read_record(str(call.record)), step["do"])
+    scene, record = scenario.read(call.organ).scene, palpate.read_record(str(call.record))
+    row = int(made.get("tools", {}).get(step.get("tool"), {}).get("instrument", 0))
+    if row >= min(len(scene.instruments), record.instruments):
+        raise AuthorError(
+            f"record: got one of {record.instruments} instruments of {call.organ.name}, which has "
+            f"{len(scene.instruments)}, expected number {row + 1}, with which the step is done"
+        )
+    values = find_bands(scene, record, step["do"], row)
     if values is None:
         raise AuthorError("record: got one in which nothing was pressed, expected a press")
     return author.change_step(made, call.step, values)

@@ -40,3 +40,19 @@ def read_touched(record: palpate.Record, instrument: int = 0) -> NDArray[np.bool
     """(n,) whether the tool touched, or held, the tissue."""
     touched = read_column(record, "felt", "touched", instrument)
     return np.asarray((touched & (palpate.TOUCHING | palpate.ATTACHED)) != 0)
+
+
+def read_touched_by_any(record: palpate.Record) -> NDArray[np.bool_]:
+    """(n,) whether an instrument touched, or held, the tissue, whichever it was."""
+    return np.any([read_touched(record, each) for each in range(record.instruments)], axis=0)
+
+
+def read_felt_by_any(record: palpate.Record) -> NDArray[np.bool_]:
+    """(n,) likewise, of instruments whose device's motors were on."""
+    each = range(record.instruments)
+    return np.any([read_touched(record, i) & read_rendered(record, i) for i in each], axis=0)
+
+
+def read_all_rendered(record: palpate.Record) -> NDArray[np.bool_]:
+    """(n,) whether the motors of all devices were on."""
+    return np.all([read_rendered(record, each) for each in range(record.instruments)], axis=0)

@@ -13,7 +13,7 @@ import palpate
 from palpate.assessment.verdict import describe_verdict, pick_events
 from palpate.command.verb import Report
 from palpate.files.refusal import Refusal
-from palpate.runs.felt import read_rendered
+from palpate.runs.felt import read_all_rendered
 from palpate.runs.run import describe_arithmetic, read_scene, split_names
 from palpate.scene.scene_file import hash_file
 
@@ -102,10 +102,7 @@ def run_replay(path: Path, scene_path: Path | None = None) -> Report:
         "scene": str(where),
         "complete": record.complete,
         "ticks": result.ticks,
-        "motors_off_s": sum(
-            float((~read_rendered(record, instrument)).sum()) / scene.rate
-            for instrument in range(record.instruments)
-        ),
+        "motors_off_s": float((~read_all_rendered(record)).sum()) / scene.rate,
         "equal": result.equal,
         "first_difference": result.first_difference if result.first_difference >= 0 else None,
         "largest_force_difference_N": result.largest_force_difference,
