@@ -57,6 +57,16 @@ void follow_move(std::span<const Vec3> x, double elapsed, SurfaceMotion& motion)
   motion.has_last = true;
 }
 
+double measure_lost(const TouchingSurface& surface) noexcept {
+  const SurfaceTouch& touch = surface.touch;
+  double lost = 0.0;
+  for (const int vertex : touch.pushed_in_use()) {
+    const auto v = static_cast<std::size_t>(vertex);
+    lost -= touch.force[v].dot(surface.velocity_of(vertex) - touch.impulse[v]);
+  }
+  return lost;
+}
+
 Vec3 TouchingSurface::velocity_of(int vertex) const noexcept {
   const auto v = static_cast<std::size_t>(vertex);
   const Skin& skin = tissue.skin;

@@ -177,6 +177,25 @@ TEST_CASE("what flies along another body farther than bodies are looked at is br
   }
 }
 
+TEST_CASE("a body that another stops within a step gives it the energy that it had") {
+  for (const double friction : {0.0, 0.3}) {
+    const Scene scene = build_scene(make_thrown(7e-4, friction));
+    for (const double speed : {0.5, 1.0, 2.0, 4.0}) {
+      for (const double aside : {0.0, 0.5, 1.0, 2.0}) {
+        CAPTURE(friction);
+        CAPTURE(speed);
+        CAPTURE(aside);
+        World world(scene);
+        for (int i = 0; i < 3; ++i) tick(scene, away(), kDt, world);
+        throw_body(scene, {aside, 0.1, -speed}, world);
+        for (int i = 0; i < 40 && !world.alarm; ++i) tick(scene, away(), kDt, world);
+        CHECK_FALSE(world.alarm);
+        CHECK(world.bodies[0].safeguard == Safeguard::none);
+      }
+    }
+  }
+}
+
 TEST_CASE("a pair whose friction is 0 ticks as one of which nothing was said, to the bit") {
   const Scene said = make_dragged(0.0);
   const Scene scene = build_scene([] {

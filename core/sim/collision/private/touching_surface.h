@@ -47,6 +47,8 @@ struct SurfaceTouch : SurfaceMotion {
   bool has_impulse = false;  ///< some of them are not 0
   std::vector<int> pushed;   ///< vertices with a force; capacity
   int pushed_count = 0;      ///< how many of them are in use
+  /// [J] No less than pushes have taken from it in this tick (touch_bodies).
+  double lost = 0.0;
   std::vector<unsigned char> is_pushed;  ///< whether in `pushed`
 
   std::span<const int> pushed_in_use() const noexcept {
@@ -70,6 +72,11 @@ void take_pushes(SurfaceTouch& touch, Visit visit) noexcept {
   }
   touch.pushed_count = 0;
 }
+
+struct TouchingSurface;
+
+/// [W] That the forces on a surface take from it at the velocities that it has.
+double measure_lost(const TouchingSurface& surface) noexcept;
 
 /// A surface as it stands in a substep.
 struct TouchingSurface {

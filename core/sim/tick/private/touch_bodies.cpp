@@ -218,7 +218,12 @@ void touch_bodies(const Scene& scene, int s, int finest, double dt, World& world
     if (s == 0) contacts.stored_energy = energy;
     watch.add_to(world.costs.body_pairs[p].contact);
   }
-  for (SurfaceTouch& touch : work.touched) touch.went = 0.0;
+  for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+    SurfaceTouch& touch = work.touched[b];
+    touch.went = 0.0;
+    if (s == 0) touch.lost = 0.0;
+    touch.lost += dt * std::max(0.0, measure_lost(view_surface(scene, b, world)));
+  }
   work.pace.since += dt;
 }
 
@@ -249,7 +254,9 @@ double bound_touch_work(std::size_t body, World& world) noexcept {
     if (bodies[0] != body && bodies[1] != body) continue;
     bound += work.contacts[p].stored_energy;
     const std::size_t other = bodies[0] == body ? bodies[1] : bodies[0];
-    if (other != body) bound += std::max(0.0, -work.work[other]);
+    if (other == body) continue;
+    // work is of the velocities after a step, so of none where that stops what flew
+    bound += std::max(-work.work[other], work.touched[other].lost);
   }
   return bound;
 }
