@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import palpate
@@ -180,10 +181,20 @@ def test_a_part_is_held_against_its_goal_and_no_goal_is_a_line(tmp_path, capsys)
         for goal in row["goals"]:
             assert goal["met"] == (row["touching_us"] <= goal["most_us"])
     lines = part_costs.describe_part_costs(measured)
+    assert lines[0].endswith(f": parts of {measured['ticks']} ticks of a press")
     assert lines[1].endswith("in touch   goal us      met")
     assert lines[2].split()[-2:] == ["-", "-"]
     assert lines[-1].endswith(f"begins with {measured['substeps'][0]}")
     assert "at 12 substeps" in lines[-1] and json.dumps(measured)
+
+
+def test_what_has_jaws_is_measured_by_a_grasp():
+    ball, jaws = (SimpleNamespace(tool=palpate.Tool(jaws=j)) for j in (None, palpate.Jaws()))
+
+    hands = [[ball], [jaws], [jaws, ball]]
+
+    said = [part_costs.name_hand(SimpleNamespace(instruments=each)) for each in hands]
+    assert said == ["a press", "a grasp", "a press and a grasp"]
 
 
 def test_goals_are_told_one_by_one():

@@ -3,6 +3,7 @@
 
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import palpate
@@ -10,6 +11,7 @@ import pytest
 from organs import make_organ
 from palpate import scenario
 from palpate.cli.main import main
+from palpate.runs.costs import press_costs
 from palpate_editor.chart import keep_known
 from palpate_editor.compile import compile_organ
 from palpate_editor.document.files import pack_organ, read_organ, unpack_organ, write_organ
@@ -17,6 +19,7 @@ from palpate_editor.publish import publish
 from palpate_editor.truth import TruthError, solve_truth
 
 SPLEEN = make_organ()
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def with_tool(length: float, **fields):
@@ -128,3 +131,18 @@ def test_a_probe_presses_the_organ_through_its_trocar():
     along = np.array([2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)])
     away = np.array(scene.instruments[0].trocar) - tool.position
     assert np.linalg.norm(np.cross(along, away)) < 1e-3 * np.linalg.norm(away)
+
+
+def test_what_an_instrument_costs_is_told_of_ticks_in_which_it_touches(tmp_path, capsys):
+    """Most of a grasp goes by in the air, where jaws cost next to nothing."""
+    source, made = ROOT / "meshes" / "published" / "spleen.organ", tmp_path / "made.organ"
+
+    assert main(["tool", str(source), "grasper", "-o", str(made), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    grasp = press_costs(compile_organ(read_organ(made)))
+    assert told["contact_us"] > 3e6 * grasp.pairs[0].median
+    assert not told["ended_by_alarm"]
+
+    for kind, while_it in (("grasper", "holds"), ("ball", "touches")):
+        assert main(["tool", str(source), kind]) == 0
+        assert f" us while it {while_it}: " in capsys.readouterr().out

@@ -21,6 +21,7 @@ from palpate.bench.part_goals import (
     measure_additions,
 )
 from palpate.runs.costs import hold_costs, press_costs, run_until_held
+from palpate.runs.press import has_jaws
 
 Row = dict[str, Any]
 
@@ -33,6 +34,7 @@ def measure_part_costs(path: Path) -> Row:
     return {
         "scene": str(path),
         "ticks": costs.ticks,
+        "hand": name_hand(scene),
         "ended_by_alarm": bool(costs.alarm) or bool(held.alarm),
         "substeps": [body.substeps for body in scene.bodies],
         "scale": SCALE,
@@ -88,6 +90,12 @@ def list_parts(
     return rows
 
 
+def name_hand(scene: palpate.Scene) -> str:
+    """What the instruments do to measure it: those with jaws grasp."""
+    jaws = {has_jaws(scene, each) for each in range(len(scene.instruments))}
+    return " and ".join("a grasp" if closes else "a press" for closes in sorted(jaws))
+
+
 def name_shape(scene: palpate.Scene, instrument: int) -> str:
     """What touches, and whether it rubs."""
     tool = scene.instruments[instrument].tool
@@ -99,7 +107,7 @@ def describe_part_costs(measured: Row) -> list[str]:
     """Lines of a table."""
     heads = " ".join(f"{head:>10}" for head in ("median us", "p99 us", "max us", "in touch"))
     lines = [
-        f"{measured['scene']}: parts of {measured['ticks']} ticks of a press",
+        f"{measured['scene']}: parts of {measured['ticks']} ticks of {measured['hand']}",
         f"{'part':40} {heads} {'goal us':>9} {'met':>8}",
     ]
     for row in measured["parts"]:

@@ -25,7 +25,7 @@ from palpate.layout.placed import read_placed
 from palpate.layout.publish import make_scenario
 from palpate.layout.separate import MOST_SHIFT, Separation
 from palpate.runs.alarms import tell_alarm
-from palpate.runs.costs import press_costs
+from palpate.runs.costs import hold_costs
 from palpate.scene.tick_cost import TICK_SHARE
 
 
@@ -42,7 +42,7 @@ class Checked:
     separations: list[tuple[Problem, Separation]] = field(default_factory=list)
     """What had to be done to bodies, with the problem that tells it."""
     press: palpate.SceneCosts | None = None
-    """Of a press of the first body, where there are stones or scenery and no pair was pressed."""
+    """Of a held press of the first body, where no pair was pressed beside stones or scenery."""
 
     @property
     def has_errors(self) -> bool:
@@ -83,7 +83,7 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
     if measures:
         problems += find_cost_problems(layout, scene, costs, assembly)
     alone = measures and not costs and (scene.rigid or scene.scenery)
-    press = press_costs(scene) if alone else None
+    press = hold_costs(scene) if alone else None
     return Checked(problems, scene, assembly, costs, parted, press)
 
 

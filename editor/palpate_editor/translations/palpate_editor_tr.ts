@@ -1285,6 +1285,10 @@
         <translation>Bir adımın maliyeti</translation>
     </message>
     <message>
+        <source>Cost of a tick in touch</source>
+        <translation>Temas sırasında bir adımın maliyeti</translation>
+    </message>
+    <message>
         <source>Crossing triangles</source>
         <translation>Kesişen üçgenler</translation>
     </message>

@@ -10,7 +10,7 @@ from palpate.command.output import add_output
 from palpate.command.verb import Report, Verb, quantity
 from palpate.files.file_kind import ORGAN
 from palpate.files.refusal import Refusal
-from palpate.runs.costs import press_costs
+from palpate.runs.costs import hold_costs
 from palpate.scene.instrument_kinds import KINDS
 
 from palpate_editor.check import split_refusal
@@ -78,7 +78,7 @@ def run_tool(call: argparse.Namespace) -> Report:
         organ = apply(edit, organ, call.file, option)
     refuse_idle(call, organ)
     try:
-        costs = press_costs(compile_organ(organ))
+        costs = hold_costs(compile_organ(organ))
     except ValueError as refused:
         where, found, expected = split_refusal(str(refused))
         raise Refusal(call.file, where, found, expected) from None
@@ -91,6 +91,7 @@ def run_tool(call: argparse.Namespace) -> Report:
         "instrument_us": 1e6 * costs.instruments[0].median,
         "contact_us": 1e6 * costs.pairs[0].median,
         "tick_us": 1e6 * costs.tick.median,
+        "ended_by_alarm": bool(costs.alarm),
         "out": None if call.out is None else str(call.out),
     }
 
@@ -118,11 +119,15 @@ def describe_tool(report: Report) -> str:
                 f"two jaws of {radius:g} mm, {length:g} mm long, that open by {opening:g} rad each "
                 f"and close with {report['grip_force']:g} N, turned {turned}"
             )
+    while_it = "holds" if length > 0.0 and report["jaw_opening"] else "touches"
     lines = [
         f"{report['file']}: {what}, friction {report['friction']:g}",
-        f"of a tick of {report['tick_us']:.0f} us: {report['contact_us']:.0f} us of contact, "
-        f"{report['instrument_us']:.0f} us of hand and air (medians of a press, on this machine)",
+        f"of a tick of {report['tick_us']:.0f} us while it {while_it}: "
+        f"{report['contact_us']:.0f} us of contact, {report['instrument_us']:.0f} us of hand and "
+        "air (medians on this machine)",
     ]
+    if report["ended_by_alarm"]:
+        lines.append("ended early by an alarm, maybe before it touched")
     if report["out"]:
         lines.append(f"wrote {report['out']}")
     return "\n".join(lines)

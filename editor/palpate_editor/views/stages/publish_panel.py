@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import palpate
-from palpate.runs.costs import press_costs
+from palpate.runs.costs import hold_costs
 from palpate.translation import LANGUAGES
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QPlainTextEdit, QPushButton, QWidget
@@ -71,13 +71,13 @@ class LanguageBox(QComboBox):
 
 @dataclass(frozen=True)
 class PressWork:
-    """Presses a scene and measures what its parts cost."""
+    """Presses or grasps a scene and measures what its parts cost while it is touched."""
 
     scene: palpate.Scene
 
     def __call__(self, progress: Progress) -> tuple[palpate.Scene, palpate.SceneCosts]:
         del progress
-        return self.scene, press_costs(self.scene)
+        return self.scene, hold_costs(self.scene)
 
 
 class PublishPanel(StagePanel):
@@ -135,7 +135,7 @@ class PublishPanel(StagePanel):
         )
         section.add(self.task)
         self.facts = self.section(tr("What is published")).add(Facts(self))
-        self.costs = self.section(tr("Cost of a tick"))
+        self.costs = self.section(tr("Cost of a tick in touch"))
         self.budget = self.costs.add(BudgetBar(tr("Measured once the organ is compiled."), self))
         self.slow = QCheckBox(tr("Publish although it is late here, for a faster machine"), self)
         self.slow.setObjectName("slow")
