@@ -24,8 +24,8 @@ FRAMES = (
     *((1.3, 0.0, 1), (2.1, 0.0, 1), (2.15, 0.0, 0), (2.4, 0.0, 0), (2.6, 0.015, 0)),
 )
 """[s] in a cycle, [m] over the surface at rest, None at the depth, and the button."""
-DEPTH, DEPTH_OF_SOLIDS = 0.008, 0.005
-"""[m] Deeper than that tips of 1.2 mm radius invert tetrahedra of some organs."""
+DEPTH = 0.008
+"""[m] To which open jaws are pressed down, their hinge away from the organ, before they close."""
 WIDE = 0.014
 """[m] The tips of open jaws are as far from their middle, and some more."""
 FAR, ARC = 0.03, 5
@@ -78,11 +78,11 @@ def list_places(scene: palpate.Scene) -> Iterator[Place]:
 
 
 def turn_to(outward: np.ndarray) -> np.ndarray:
-    """The least turn (4,) of an instrument's z, which goes from its tip to the hand."""
+    """The least turn (4,) of an instrument's z, which goes from its tip to the hand: x, y, z, w."""
     w = 1.0 + outward[2]
     if w < 1e-6:
-        return np.array([0.0, 1.0, 0.0, 0.0])
-    q = np.array([w, -outward[1], outward[0], 0.0])
+        return np.array([1.0, 0.0, 0.0, 0.0])
+    q = np.array([-outward[1], outward[0], 0.0, w])
     return q / np.linalg.norm(q)
 
 
@@ -97,7 +97,6 @@ def write_hand(scene: palpate.Scene, places: list[Place]) -> palpate.ScriptedDev
     x = palpate.compute_surface(scene.bodies[0].tissue, scene.bodies[0].tissue.rest_position)
     centre = x.mean(axis=0)
     radius = np.linalg.norm(x - centre, axis=1).max() + FAR
-    depth = DEPTH_OF_SOLIDS if len(scene.bodies[0].tissue.volumes.corners) else DEPTH
     ends = [leave(centre, radius, place) for place in places]
     frames = []
     for number, (place, end) in enumerate(zip(places, ends, strict=True)):
@@ -106,7 +105,7 @@ def write_hand(scene: palpate.Scene, places: list[Place]) -> palpate.ScriptedDev
         frames += [
             palpate.KeyFrame(
                 start + time,
-                place.point + (-depth if height is None else height) * outward,
+                place.point + (-DEPTH if height is None else height) * outward,
                 buttons=button,
             )
             for time, height, button in FRAMES

@@ -294,10 +294,11 @@ void follow_change(double goal, InstrumentState& state) noexcept {
 /// instrument has a mass that it must move: without one it would be at the hand at once. Where the
 /// hand is limited, the tool follows what that asks for.
 void limit_fall(const Instrument& instrument, InstrumentState& state, HandMotion& motion) noexcept {
-  if (motion.bearable < instrument.coupling.force_max) return;
   const double moved = find_coupling(instrument, state).stiffness * motion.travel;
+  const double felt = state.last_force.norm();
   state.tool.felt_before = state.last_force;
-  motion.most_fall = moved + std::max(kMostFall * state.last_force.norm(), kLeastFall);
+  motion.most_fall = moved + std::max(kMostFall * felt, kLeastFall) +
+                     std::max(0.0, felt - motion.bearable);
 }
 
 /// Jaws that carry next to nothing begin to open at once.
