@@ -12,6 +12,7 @@ import pytest
 from palpate.assessment.instruments import shape_tool
 from palpate.runs.press import Place, find_top
 from palpate.scene.instrument_kinds import KINDS
+from scipy.spatial.transform import Rotation
 from scripted_hands import PUBLISHED, find_scattered_place, is_open, open_organ_scene
 
 ORGANS = sorted({path.stem for path in PUBLISHED.glob("*.palpate")} - {"kidney_stone"})
@@ -139,6 +140,12 @@ def grasp(scene: palpate.Scene, count: int) -> tuple[np.ndarray, np.ndarray, pal
 def check(felt: np.ndarray) -> None:
     assert np.isfinite(felt).all()
     assert np.abs(felt[:, AWAY]).max() == 0.0, "something is held on"
+
+
+@pytest.mark.parametrize("outward", [(0, 0, 1), (0, 0, -1), (0.36, 0.48, 0.8), (-1, 0, 0)])
+def test_an_instrument_comes_with_its_hinge_away_from_the_organ(outward):
+    turn = Rotation.from_quat(turn_to(np.array(outward, float)))
+    assert turn.apply([0.0, 0.0, 1.0]) == pytest.approx(outward, abs=1e-12)
 
 
 @pytest.mark.landing
