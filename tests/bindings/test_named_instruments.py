@@ -14,6 +14,7 @@ import pytest
 from palpate import scenario
 from palpate.assessment import author, author_tools
 from palpate.assessment.author import AuthorError
+from palpate.assessment.check import find_problems
 from palpate.assessment.hands import make_hands
 from palpate.assessment.instruments import find_handle
 from palpate.assessment.publish import read_assessment, with_assessment
@@ -254,3 +255,70 @@ def test_the_verb_writes_instruments(tmp_path, capsys):
     assert scenario.draw_task(made).task.steps[0].instrument == 1
     assert main([*call, "--remove", "left"]) == 2
     assert main([*call, "--set", "left", "--trocar", "1,2"]) == 2
+
+
+def test_a_step_that_holds_keeps_its_grasper_and_a_hand_its_force():
+    made = author.new_assessment("spleen", {"en": "One"})
+    made, at = author.add_place(made, "lower", {"region": "spleen/lower pole"})
+    (name,) = made["tools"]
+    made = author_tools.set_kind(made, name, "grasper")
+    made = author_tools.set_tool(made, name, {"force_max_N": 13.0})
+    made, step = author.add_step(made, "grasp", at)
+
+    with pytest.raises(AuthorError, match=f"expected a grasper: with '{name}' hold step {step}"):
+        author_tools.set_kind(made, name, "ball")
+    again = author_tools.set_kind(made, name, "grasper")
+    assert again["tools"][name]["force_max_N"] == 13.0
+    made["steps"].clear()
+    assert author_tools.set_kind(made, name, "ball")["tools"][name]["force_max_N"] == 13.0
+
+
+def shape_grasper(organ, **said):
+    made = author.new_assessment("spleen", {"en": "One"})
+    made, at = author.add_place(made, "lower", {"region": "spleen/lower pole"})
+    (name,) = made["tools"]
+    made = author_tools.set_kind(made, name, "grasper")
+    made["tools"][name].update(said)
+    made, _ = author.add_step(made, "grasp", at)
+    return made
+
+
+def test_a_grip_without_jaws_is_said_to_have_no_effect(organ):
+    made = shape_grasper(organ, jaw_opening_rad=0)
+    said = "grip_force_N: got 5.0, which has no effect here: what has no jaws closes on nothing"
+    with pytest.raises(Refusal, match=f"{said}, expected jaws that open, or none of it"):
+        with_assessment("a.json", made, organ)
+    with pytest.raises(Refusal, match="jaw_opening_rad: got .*: a ball has no jaws, expected a l"):
+        with_assessment("a.json", shape_grasper(organ, length_m=0), organ)
+
+
+@pytest.mark.parametrize(
+    ("said", "where", "words"),
+    [
+        ({"trocar_m": [0.0, 0.0, 0.0]}, "trocar_m", "got [0, 0, 0], which lies in an organ"),
+        ({"fulcrum_m": 0.05}, "fulcrum_m", "got 0.05, expected 0."),
+        ({"instrument": 3}, "instrument", "got 3, expected 0: no tool has that number"),
+    ],
+)
+def test_check_says_which_instrument_cannot_be_held(organ, said, where, words):
+    whole = find_problems(with_assessment("a.json", shape_grasper(organ), organ))
+    assert not any(problem.where.startswith("tools.") for problem in whole)
+
+    problems = find_problems(with_assessment("a.json", shape_grasper(organ, **said), organ))
+
+    (found,) = [problem for problem in problems if problem.where.startswith("tools.")]
+    assert found.where.endswith(f".{where}") and found.message.startswith(words)
+
+
+def test_a_plain_number_with_a_unit_is_told_what_is_expected(tmp_path, capsys):
+    task = tmp_path / "a.json"
+    assert main(["scenario", "new", str(SPLEEN), "--title", "A", "-o", str(task)]) == 0
+    call = ["scenario", "tool", str(task), "--set", "tip", "--kind", "grasper"]
+    for option, text, expected in (
+        ("--jaw-opening", "30deg", "a number of rad, without the unit"),
+        ("--friction", "nan", "a number"),
+    ):
+        capsys.readouterr()
+        assert main([*call, option, text]) == 2
+        assert f"got {text!r}, expected {expected}\n" in capsys.readouterr().err
+    assert main([*call, "--length", "0mm", "--jaw-opening", "0"]) == 0

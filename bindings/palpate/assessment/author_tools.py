@@ -18,18 +18,26 @@ from palpate.scene.scene_parts import ToolPart
 
 
 def set_kind(assessment: Json, name: str, kind: str) -> Json:
-    """With an instrument of the usual numbers of its kind, new or another one of this name."""
+    """With an instrument of the usual numbers of its kind, new or another one of this name.
+
+    Raises AuthorError for another kind than a grasper where a step holds with it.
+    """
     if kind not in KINDS:
         raise AuthorError(f"kind: got {kind!r}, expected one of {', '.join(KINDS)}")
+    holds = [f"step {step['id']}" for step in list_steps(assessment, name) if step["do"] in HOLDING]
+    if holds and kind != "grasper":
+        said = f"a grasper: with {name!r} hold {', '.join(holds)}"
+        raise AuthorError(f"kind: got {kind!r}, expected {said}")
     usual = KINDS[kind]
     values: Json = {"kind": kind, "radius_m": usual.radius, "length_m": usual.length}
     values |= {"friction": usual.friction}
     if usual.jaw_opening:
         values |= {"jaw_opening_rad": usual.jaw_opening, "grip_force_N": ToolPart.grip_force}
     before = assessment.get("tools", {}).get(name, {})
+    kept = ["force_max_N"]
     if usual.length > 0.0:
-        kept = ("trocar_height_m", "trocar_side_m", "trocar_m", "fulcrum_m")
-        values |= {key: before[key] for key in kept if key in before}
+        kept += ["trocar_height_m", "trocar_side_m", "trocar_m", "fulcrum_m"]
+    values |= {key: before[key] for key in kept if key in before}
     made = copy.deepcopy(assessment)
     tools = made.setdefault("tools", {})
     if name not in tools:
@@ -102,6 +110,13 @@ def give_step(assessment: Json, step_id: str, tool: str) -> Json:
 def name_tool(assessment: Json, kind: str) -> str:
     """A name that no instrument has yet."""
     return make_id(kind, assessment.get("tools", {}))
+
+
+def list_steps(assessment: Json, name: str) -> list[Json]:
+    """That are done with an instrument of this name, which the only one need not say."""
+    tools = assessment.get("tools", {})
+    only = name if set(tools) == {name} else None
+    return [step for step in assessment.get("steps", []) if step.get("tool", only) == name]
 
 
 def list_users(made: Json) -> list[Json]:

@@ -11,6 +11,7 @@ import palpate
 from palpate import scenario
 from palpate.assessment.check_problem import ERROR, WARNING, Problem
 from palpate.assessment.check_reach import check_limits, check_reach, check_times
+from palpate.assessment.check_tools import check_tools
 from palpate.assessment.provenance import find_void
 from palpate.assessment.texts import UNITS, find_numbers
 
@@ -41,7 +42,8 @@ def find_problems(published: scenario.Scenario) -> list[Problem]:
                 found[each] = None
             for each in check_attempt(published.scene, drawn):
                 found[each] = None
-    for each in [*check_texts(assessment), *check_goals(assessment)]:
+    tools = check_tools(published.scene, assessment)
+    for each in [*tools, *check_texts(assessment), *check_goals(assessment)]:
         found[each] = None
     for where in find_void(published):
         text = "is of another task or organ than this file has now, and void"

@@ -53,6 +53,32 @@ def shape_tools(file: object, assessment: Mapping[str, Any], scene: palpate.Scen
     return scene
 
 
+def require_effect(file: object, assessment: Mapping[str, Any], scene: palpate.Scene) -> None:
+    """Raises Refusal for a number of jaws of a tool that has none in the `scene` of shape_tools."""
+    tools = assessment.get("tools")
+    for name, said in tools.items() if isinstance(tools, dict) else ():
+        row = said.get("instrument", 0) if isinstance(said, dict) else None
+        if not isinstance(row, int) or not 0 <= row < len(scene.instruments):
+            continue  # what is wrong with it says the reader
+        tool = scene.instruments[row].tool
+        where = f"tools.{name}"
+        if not tool.capsules and said.get("jaw_opening_rad"):
+            raise Refusal(
+                file,
+                f"{where}.jaw_opening_rad",
+                f"{said['jaw_opening_rad']!r}, which has no effect here: a ball has no jaws",
+                "a length above 0, or none of it",
+            )
+        if tool.jaws is None and "grip_force_N" in said:
+            raise Refusal(
+                file,
+                f"{where}.grip_force_N",
+                f"{said['grip_force_N']!r}, which has no effect here: what has no jaws closes on "
+                "nothing",
+                "jaws that open, or none of it",
+            )
+
+
 def has_shape(said: Mapping[str, Any]) -> bool:
     return bool(SHAPES & set(said)) or said.get("kind") in SHAPED
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from palpate import scenario
 from palpate.assessment.author import make_ids, without_muted
 from palpate.assessment.inclusion import gather_constants
-from palpate.assessment.instruments import shape_tools
+from palpate.assessment.instruments import require_effect, shape_tools
 from palpate.files.read_file import read_file
 from palpate.files.refusal import Refusal, split_sentence
 
@@ -107,8 +107,10 @@ def with_assessment(
     for code, words in texts.items() if isinstance(texts, dict) else ():
         if isinstance(words, dict) and isinstance(key, str) and isinstance(words.get(key), str):
             titles[code] = words[key]
+    scene = shape_tools(file, assessment, published.scene)
+    require_effect(file, assessment, scene)
     made = scenario.Scenario(
-        scene=shape_tools(file, assessment, published.scene),
+        scene=scene,
         title=titles.get("en", published.title),
         task=published.task,
         authored=published.authored,

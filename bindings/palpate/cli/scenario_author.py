@@ -21,7 +21,7 @@ from palpate.assessment.publish import (
 from palpate.cli import scenario_tools, scenario_values
 from palpate.cli.scenario_places import add_at, find_place
 from palpate.command.output import add_output
-from palpate.command.verb import Report, WrongCall, quantity
+from palpate.command.verb import Report, WrongCall, plain_number, quantity
 from palpate.files.file_kind import ASSESSMENT
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
@@ -93,7 +93,7 @@ def add_step(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--within", dest="within_s", type=or_none(quantity("s")), help="longer is an error"
     )
-    parser.add_argument("--share", type=float, help="[-] of a path")
+    parser.add_argument("--share", type=plain_number(), help="[-] of a path")
     parser.add_argument(
         "--space", metavar="PLACE",
         help="of remove and carry: a space of the assessment, or space:X,Y,Z,RADIUS [m]",

@@ -9,7 +9,7 @@ from typing import Any
 
 from palpate.assessment import author_tools
 from palpate.assessment.author import Json
-from palpate.command.verb import WrongCall, quantity
+from palpate.command.verb import WrongCall, plain_number, quantity
 from palpate.scene.instrument_kinds import KINDS
 
 NUMBERS = (
@@ -26,17 +26,18 @@ def add_tool(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--kind", choices=tuple(KINDS), help="with its usual numbers")
     for option, name, read, text in (
         ("--radius", "radius_m", quantity("m"), "of the tip and the shaft"),
-        ("--length", "length_m", quantity("m"), "of what touches; 0: a ball"),
-        ("--friction", "friction", float, "Coulomb's coefficient; 0: it slides"),
-        ("--jaw-opening", "jaw_opening_rad", float, "[rad] of each jaw; 0: it has none"),
+        ("--length", "length_m", quantity("m"), "of what touches; 0mm: a ball"),
+        ("--friction", "friction", plain_number(), "Coulomb's coefficient; 0: it slides"),
+        ("--jaw-opening", "jaw_opening_rad", plain_number("rad"),
+         "[rad] of each jaw; 0: it has none"),
         ("--grip-force", "grip_force_N", quantity("N"), "with which jaws close at most"),
         ("--trocar-height", "trocar_height_m", quantity("m"),
-         "over the organ, where the shaft passes the abdominal wall; 0: the device turns it"),
+         "over the organ, where the shaft passes the abdominal wall; 0mm: the device turns it"),
         ("--trocar-side", "trocar_side_m", quantity("m"), "along x from the organ's middle"),
         ("--trocar", "trocar_m", read_point, "X,Y,Z [m] of it, instead of both"),
         ("--force-max", "force_max_N", quantity("N"), "more the hand's spring never pulls with"),
         ("--fulcrum", "fulcrum_m", quantity("m"),
-         "from tip to handle, which a device shall be; 0: a device is the tip"),
+         "from tip to handle, which a device shall be; 0mm: a device is the tip"),
     ):  # fmt: skip
         parser.add_argument(option, dest=name, type=read, help=text)
 

@@ -12,7 +12,7 @@ from palpate import scenario
 from palpate.assessment import author, author_values
 from palpate.assessment.author import AuthorError, Json
 from palpate.cli.scenario_places import add_at, find_place
-from palpate.command.verb import WrongCall, quantity
+from palpate.command.verb import WrongCall, plain_number, quantity
 from palpate.runs.hand_record import find_bands
 from palpate.runs.run import PUBLISHED
 
@@ -52,7 +52,7 @@ def add_parameter(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--to", metavar="NAME", help="of --rename")
     parser.add_argument("--unit", choices=author_values.UNITS, help="of a new one")
     kind = parser.add_mutually_exclusive_group()
-    kind.add_argument("--value", type=float, help="[SI] the usual one")
+    kind.add_argument("--value", type=plain_number("SI units"), help="[SI] the usual one")
     kind.add_argument("--uniform", metavar="LEAST..MOST", type=read_range,
                       help="[SI] the seed draws one between")  # fmt: skip
     kind.add_argument("--choose", metavar="A,B,...", type=read_choice,

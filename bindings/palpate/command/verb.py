@@ -56,6 +56,22 @@ def quantity(unit: str) -> Callable[[str], float]:
     return read
 
 
+def plain_number(unit: str = "") -> Callable[[str], float]:
+    """A reader of numbers that are written without a unit; `unit` is what they are then in."""
+
+    def read(text: str) -> float:
+        try:
+            value = float(text)
+        except ValueError:
+            value = float("nan")
+        if abs(value) < float("inf"):
+            return value
+        said = f"a number of {unit}, without the unit" if unit else "a number"
+        raise argparse.ArgumentTypeError(f"got {text!r}, expected {said}")
+
+    return read
+
+
 UNITS: dict[str, dict[str, float]] = {
     "m": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6},
     "m3": {"m3": 1.0, "l": 1e-3, "ml": 1e-6, "mm3": 1e-9},

@@ -77,13 +77,18 @@ def find_fulcrum(scene: palpate.Scene, instrument: int, length: float) -> palpat
     trocar = scene.instruments[instrument].trocar
     if trocar is None:
         raise WrongCall("--fulcrum: the instrument of this scenario has no trocar to turn about")
-    least = float(np.linalg.norm(trocar - np.array(find_top(scene).point))) + LEAST_INSERTED
+    least = find_least_handle(scene, trocar)
     if length < least:
         raise WrongCall(
             f"--fulcrum: got {1e3 * length:g} mm, expected at least {1e3 * least:.0f} mm: so far "
             "is the organ behind the trocar"
         )
     return palpate.Fulcrum(trocar, length)
+
+
+def find_least_handle(scene: palpate.Scene, trocar: NDArray[np.float64]) -> float:
+    """[m] From the tip of a shaft to its handle, which stays outside of the trocar."""
+    return float(np.linalg.norm(trocar - np.array(find_top(scene).point))) + LEAST_INSERTED
 
 
 def find_centre(scene: palpate.Scene, instrument: int, length: float) -> NDArray[np.float64]:

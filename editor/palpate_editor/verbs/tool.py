@@ -7,7 +7,7 @@ import argparse
 from pathlib import Path
 
 from palpate.command.output import add_output
-from palpate.command.verb import Report, Verb, quantity
+from palpate.command.verb import Report, Verb, plain_number, quantity
 from palpate.files.file_kind import ORGAN
 from palpate.files.refusal import Refusal
 from palpate.runs.costs import hold_costs
@@ -45,14 +45,20 @@ def add_tool(parser: argparse.ArgumentParser) -> None:
         "shape", nargs="?", choices=tuple(KINDS), help="what it is; what it was without one"
     )
     parser.add_argument("--radius", type=quantity("m"), help="of the tip and the shaft")
-    parser.add_argument("--length", type=quantity("m"), help="of the shaft that touches; 0: a ball")
-    parser.add_argument("--friction", type=float, help="Coulomb's coefficient; 0: it slides")
+    parser.add_argument(
+        "--length", type=quantity("m"), help="of the shaft that touches; 0mm: a ball"
+    )
+    parser.add_argument(
+        "--friction", type=plain_number(), help="Coulomb's coefficient; 0: it slides"
+    )
     parser.add_argument(
         "--trocar-height",
         type=quantity("m"),
-        help="over the organ, where the shaft passes the abdominal wall; 0: the device turns it",
+        help="over the organ, where the shaft passes the abdominal wall; 0mm: the device turns it",
     )
-    parser.add_argument("--jaw-opening", type=float, help="[rad] of each jaw; 0: it has none")
+    parser.add_argument(
+        "--jaw-opening", type=plain_number("rad"), help="[rad] of each jaw; 0: it has none"
+    )
     parser.add_argument("--grip-force", type=quantity("N"), help="with which jaws close at most")
     add_output(parser, "--out", "-o", writes=ORGAN, help=".organ to write; without one, nothing is")
 

@@ -3444,6 +3444,22 @@
         <translation>başka bir senaryonun görevi</translation>
     </message>
     <message>
+        <source>%1, which has no effect here: a ball has no jaws</source>
+        <translation>%1, burada etkisi yok: kürenin çenesi yoktur</translation>
+    </message>
+    <message>
+        <source>%1, which has no effect here: what has no jaws closes on nothing</source>
+        <translation>%1, burada etkisi yok: çenesi olmayan hiçbir şeyi kavramaz</translation>
+    </message>
+    <message>
+        <source>jaws that open, or none of it</source>
+        <translation>açılan çeneler ya da hiç yazılmaması</translation>
+    </message>
+    <message>
+        <source>a length above 0, or none of it</source>
+        <translation>0'dan büyük bir uzunluk ya da hiç yazılmaması</translation>
+    </message>
+    <message>
         <source>a tool that can touch this organ</source>
         <translation>bu organa dokunabilen bir alet</translation>
     </message>
@@ -4110,6 +4126,22 @@
     <message>
         <source>0 or more</source>
         <translation>0 ya da daha çok</translation>
+    </message>
+    <message>
+        <source>a name, without /</source>
+        <translation>/ içermeyen bir ad</translation>
+    </message>
+    <message>
+        <source>got none, so a trainee reads "%1": `palpate scene set LAYOUT --title "..."` gives it one</source>
+        <translation>hiç yok, öğrenci "%1" okur: `palpate scene set LAYOUT --title "..."` ona bir başlık verir</translation>
+    </message>
+    <message>
+        <source>X,Y,Z of up to %1 %2 each</source>
+        <translation>X,Y,Z, her biri en çok %1 %2</translation>
+    </message>
+    <message>
+        <source>text that UTF-8 can say</source>
+        <translation>UTF-8 ile yazılabilen bir metin</translation>
     </message>
     <message>
         <source>2, or none</source>

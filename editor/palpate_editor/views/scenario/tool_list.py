@@ -38,11 +38,12 @@ class ToolRow(QWidget):
         self.kind.setObjectName(f"kind_{name}")
         self.kind.setAccessibleName(tr("Kind of {name}").format(name=name))
         own = not SHAPES & set(said)
+        self.shown = OWN if own else str(said["kind"])
         if own:
             self.kind.addItem(draft.own_words, OWN)
         for kind in KINDS:
             self.kind.addItem(say_tool_kind(kind), kind)
-        self.kind.setCurrentIndex(0 if own else self.kind.findData(said["kind"]))
+        self.kind.setCurrentIndex(self.kind.findData(self.shown))
         self.kind.activated.connect(self._set_kind)
         row.addWidget(self.kind)
         remove = QPushButton(tr("Remove"), self)
@@ -87,6 +88,7 @@ class ToolRow(QWidget):
 
     def _set_kind(self) -> None:
         kind = str(self.kind.currentData())
+        self.kind.setCurrentIndex(self.kind.findData(self.shown))  # what is refused stays as it was
         if kind != OWN:
             self.draft.change("tool", author_tools.set_kind, self.name, kind)
 
