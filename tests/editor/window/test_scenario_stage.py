@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import palpate
@@ -21,6 +22,7 @@ from palpate_editor.document import Organ
 from palpate_editor.open_organ import open_organ
 from palpate_editor.surface_path import SPACING, follow_surface
 from palpate_editor.views.scenario import ScenarioPanel
+from palpate_editor.views.scenario.tool_list import ToolRow
 from palpate_editor.views.touch.runner import HandRequest
 from patience import PATIENCE, settle
 from PySide6.QtCore import QPoint, Qt, QTimer
@@ -324,3 +326,21 @@ def test_instruments_are_added_shaped_and_driven_in_the_test_stage(designer, che
     assert {"tip", "grasper"} <= set(names)
     designer.picture(checkout, "two_tools")
     window.test_panel.runner.stop()
+
+
+def test_a_kind_that_is_refused_is_not_shown_as_if_it_were_taken(qtbot):
+    """As where a step holds with the grasper."""
+    asked = []
+    draft = SimpleNamespace(
+        tools={"left": {}, "right": {}},
+        usual_friction=0.0,
+        change=lambda *words: asked.append(words[-1]),
+    )
+    row = ToolRow("left", {"kind": "grasper", "radius_m": 0.0012}, draft)
+    qtbot.addWidget(row)
+    ball = row.kind.findData("ball")
+
+    row.kind.setCurrentIndex(ball)
+    row.kind.activated.emit(ball)
+
+    assert asked == ["ball"] and row.kind.currentData() == "grasper"
