@@ -297,8 +297,8 @@ void limit_fall(const Instrument& instrument, InstrumentState& state, HandMotion
   const double moved = find_coupling(instrument, state).stiffness * motion.travel;
   const double felt = state.last_force.norm();
   state.tool.felt_before = state.last_force;
-  motion.most_fall = moved + std::max(kMostFall * felt, kLeastFall) +
-                     std::max(0.0, felt - motion.bearable);
+  motion.most_fall =
+      moved + std::max(kMostFall * felt, kLeastFall) + std::max(0.0, felt - motion.bearable);
 }
 
 /// Jaws that carry next to nothing begin to open at once.
