@@ -125,6 +125,22 @@ def test_a_snapped_body_lies_with_its_region_on_the_other_at_the_gap():
     assert low[2] == pytest.approx(0.01 + 3e-4, abs=1e-7)
 
 
+@pytest.mark.parametrize("gap", [0.0, 1e-5])
+def test_a_body_snapped_onto_an_open_surface_touches_it_at_most(gap):
+    """An open surface has no inside: a vertex behind it is found within reach alone."""
+    closed, mesh = box((0.0, 0.0, 0.0), (0.04, 0.02, 0.01)), ellipsoid(RADII, 3)
+    is_below = (closed.x[closed.triangles][..., 2] == 0.0).all(axis=1)
+    still = Surface(closed.x, closed.triangles[~is_below])
+    other = Surface(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+    onto = measure_patch(still, np.array([4, 5, 6, 7]))
+    patch = measure_patch(other, np.flatnonzero(other.x[:, 2] > 0.7 * other.high[2]))
+
+    placed = snap(PlacedBody("b", "", ""), other, patch, still, onto, gap)
+
+    x = Rotation.from_rotvec(placed.rotation).apply(other.x) + placed.position
+    assert 0.0 <= x[:, 2].min() - 0.01 - gap < 1e-6
+
+
 def test_a_region_that_faces_all_ways_or_is_empty_cannot_be_laid_on_another():
     cube = box((0.0, 0.0, 0.0), (0.01, 0.01, 0.01))
     for vertices, said in ((np.arange(8), "faces all ways"), (np.array([], int), "no|without")):

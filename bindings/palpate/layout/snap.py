@@ -57,6 +57,12 @@ def measure_patch(surface: Surface, vertices: Ints) -> Patch:
     return Patch(centre, normal, axes[:, int(np.argmax(values))])
 
 
+def measure_longest_edge(surface: Surface) -> float:
+    """[m]"""
+    corners = surface.x[surface.triangles]
+    return float(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max())
+
+
 def snap(
     placed: PlacedBody, surface: Surface, patch: Patch, still: Surface, onto: Patch, gap: float
 ) -> PlacedBody:
@@ -77,12 +83,15 @@ def snap(
     )
     x = turn.apply(surface.x - patch.centre) + onto.centre
     turned = Surface(x, surface.triangles)
-    far = float(np.linalg.norm(turned.high - turned.low))
+    # where surfaces cross, an end of some edge is within its length of the other
+    reach = gap + max(measure_longest_edge(still), measure_longest_edge(turned))
+    far = gap + float(np.linalg.norm(turned.high - turned.low))
     near = 0.0
     for _ in range(HALVINGS):
         middle = 0.5 * (near + far)
-        least = find_least(still, turned, gap, middle * onto.normal)
-        near, far = (middle, far) if least is not None else (near, middle)
+        least = find_least(still, turned, reach, middle * onto.normal)
+        is_near = least is not None and least.size <= gap
+        near, far = (middle, far) if is_near else (near, middle)
     position = turn.apply(np.asarray(placed.position) - patch.centre) + onto.centre
     position = position + far * onto.normal
     rotation = (turn * Rotation.from_rotvec(placed.rotation)).as_rotvec()
