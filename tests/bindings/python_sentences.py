@@ -82,6 +82,8 @@ def read_file(file: Path) -> Iterator[str]:
             if file.parent.name == CHECKED:
                 for told in find_problems(node):
                     yield from build(expand(told, scope), scope)
+            for part in find_faults(node):
+                yield from build(part, scope)
             if node.name in TOLD:
                 for told in find_told(node):
                     yield from (text for part in told[-2:] for text in build(part, scope))
@@ -128,6 +130,13 @@ def find_noted(function: ast.FunctionDef) -> Iterator[ast.expr]:
             yield node.value
         if isinstance(node, ast.Call) and ast.unparse(node.func) == "notes.append":
             yield node.args[0]
+
+
+def find_faults(function: ast.FunctionDef) -> Iterator[ast.expr]:
+    """Found and expected of a layout's."""
+    for node in ast.walk(function):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "Fault":
+            yield from node.args[1:]
 
 
 def find_problems(function: ast.FunctionDef) -> Iterator[ast.expr]:

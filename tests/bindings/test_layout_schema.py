@@ -4,7 +4,10 @@
 from __future__ import annotations
 
 import json
+import math
+import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +15,11 @@ import jsonschema
 import palpate
 import pytest
 from palpate.files.refusal import Refusal
-from palpate.layout import document
+from palpate.layout import document, layout_file
 from palpate.layout.document import (
     History,
     Layout,
+    LayoutError,
     PlacedBody,
     PlacedScenery,
     PlacedStone,
@@ -81,6 +85,9 @@ DAMAGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "weightless": lambda data: data["now"]["bodies"][0].update(weightless=9.8),
     "kidney.tool_friction": lambda data: data["now"]["bodies"][0].update(tool_friction=[-0.1]),
     "tray.tool_friction": lambda data: data["now"]["scenery"][0].update(tool_friction=[0.1, 0.2]),
+    "kidney.rotation": lambda data: data["now"]["bodies"][0].update(rotation=[0.0, 0.0, 1e9]),
+    "a/b.name": lambda data: data["now"]["stones"][0].update(name="a/b"),
+    "stone.position": lambda data: data["now"]["stones"][0].update(position=[1e300, 0.0, 0.0]),
     "0.name": lambda data: data["now"]["bodies"][0].update(name=""),
     "stone.density": lambda data: data["now"]["stones"][0].update(density=0.0),
     "stone.scale": lambda data: data["now"]["stones"][0].update(scale=-1.0),
@@ -88,8 +95,11 @@ DAMAGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "tray.friction": lambda data: data["now"]["scenery"][0].update(friction=-0.1),
     "scenery[0].stops": lambda data: data["now"]["scenery"][0].update(stops=["kidney"] * 2),
     "pairs[0].thickness": lambda data: data["now"]["pairs"][0].update(thickness=-1e-4),
+    "pairs[0].stiffness": lambda data: data["now"]["pairs"][0].update(stiffness=1e14),
+    "pairs[0].damping": lambda data: data["now"]["pairs"][0].update(damping=1.5),
     "pairs[0].friction": lambda data: data["now"]["pairs"][0].update(friction=-0.1),
     "gravity": lambda data: data["now"].update(gravity=[1.0]),
+    "gravity ": lambda data: data["now"].update(gravity=[0.0, 0.0, -1e9]),
     "fluid": lambda data: data["now"].update(fluid=[1000.0, -1.0]),
     "tools[0].kind": lambda data: data["now"]["tools"][0].update(kind="spoon"),
     "tools[0].radius": lambda data: data["now"]["tools"][0].update(radius=0.0),
@@ -105,8 +115,43 @@ def test_a_damaged_layout_is_refused_by_schema_and_reader_alike(schema, tmp_path
     path.write_text(json.dumps(data), encoding="utf-8")
 
     assert not schema.is_valid(data)
-    with pytest.raises(Refusal, match=where.removeprefix("no ").split("[")[0]):
+    with pytest.raises(Refusal, match=where.removeprefix("no ").strip().split("[")[0]):
         read_layout(path)
+
+
+UNREADABLE = {
+    "pairs[0].damping": {"pairs": (TouchingPair("kidney", "bowel", damping=math.inf),)},
+    "gravity": {"gravity": (0.0, 0.0, math.nan)},
+    "fluid": {"fluid": (math.inf, 0.0)},
+    "tools[0].jaw_opening": {"tools": (replace(LAYOUT.tools[0], jaw_opening=math.nan),)},
+    "kidney.position": {"bodies": (replace(LAYOUT.bodies[0], position=(math.nan, 0.0, 0.0)),)},
+    "stone.scale": {"stones": (replace(LAYOUT.stones[0], scale=math.inf),)},
+    "layout: got '\\udcff'": {"title": "\udcff"},
+}
+
+
+@pytest.mark.parametrize("where", UNREADABLE)
+def test_what_could_not_be_read_again_is_not_written(tmp_path, where):
+    path, _ = write(tmp_path)
+    before = path.read_bytes()
+    wrong = replace(LAYOUT, **{"pairs": (), "scenery": (), **UNREADABLE[where]})
+
+    for history in (History(wrong), History(Layout(), (wrong,)), History(Layout(), (), (wrong,))):
+        with pytest.raises(LayoutError, match=f"^(input: )?{re.escape(where)}"):
+            write_layout(path, history)
+
+    assert path.read_bytes() == before
+
+
+def test_of_more_steps_than_a_file_has_room_for_the_older_half_is_forgotten(tmp_path, monkeypatch):
+    monkeypatch.setattr(layout_file, "MOST_BYTES", 10_000)
+    path, steps = tmp_path / "a.layout.json", [Layout(title=str(n) * 1000) for n in range(10)]
+
+    write_layout(path, History(Layout(), tuple(steps)))
+
+    assert read_layout(path).before == tuple(steps[5:])
+    with pytest.raises(LayoutError, match="bytes, expected at most 10000"):
+        write_layout(path, History(Layout(title="a" * 10_000)))
 
 
 def make_older(data: dict[str, Any]) -> None:

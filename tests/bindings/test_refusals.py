@@ -34,9 +34,11 @@ SYSTEM = (
 )
 FRAMES = {
     "%1: got %2, expected %3", "got %1, expected %2",
+    *("X,Y,Z of up to %1 %2 each", "text that UTF-8 can say"),
     *(f"{place} %1" for place in ("row", "line", "face", "byte", "vertex", "triangle")),
 }  # fmt: skip
-"""What sentences are made of: what stands between, and places within a file."""
+"""What sentences are made of: what stands between, what is expected of a layout's options, and
+places within a file."""
 
 FILES = {
     kind for name, kind in vars(file_kind).items() if name.isupper() and isinstance(kind, str)

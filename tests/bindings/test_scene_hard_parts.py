@@ -6,14 +6,17 @@ from __future__ import annotations
 import contextlib
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import palpate
 import pytest
+from palpate.assessment.check_problem import Problem
 from palpate.cli.main import main
 from palpate.files.refusal import Refusal
+from palpate.layout.check import check
 from palpate.layout.layout_file import ADDED, read_layout
 from stones import HALF, make_stone_mesh, make_table
 from test_layout import write_organ
@@ -146,16 +149,18 @@ def test_a_stone_that_nothing_bears_and_scenery_that_stops_nothing_are_told(layo
 def test_an_organ_that_gravity_pulls_far_from_where_it_was_scanned_is_told(layout, capsys):
     say(capsys, "pair", layout, "table", "organ", "--remove")
 
-    heavy = say(capsys, "check", layout, "--gravity", "0,0,-2000")
+    def weigh() -> list[Problem]:
+        heavy = replace(read_layout(layout).now, gravity=(0.0, 0.0, -2000.0))
+        return [each for each in check(layout, heavy).problems if each.where == "organ"]
+
     usual = say(capsys, "check", layout, "--gravity", "0,0,-9.81")
 
-    (said,) = [each for each in heavy["problems"] if each["where"] == "organ"]
-    assert said["severity"] == "warning" and "it was scanned as it lies" in said["message"]
+    (said,) = weigh()
+    assert said.severity == "warning" and "it was scanned as it lies" in said.message
     assert "organ" not in {each["where"] for each in usual["problems"]}
-    assert "place LAYOUT organ --weightless" in said["message"]
+    assert "place LAYOUT organ --weightless" in said.message
     assert say(capsys, "place", layout, "organ", "--weightless")["bodies"][0]["weightless"]
-    light = say(capsys, "check", layout, "--gravity", "0,0,-2000")
-    assert "organ" not in {each["where"] for each in light["problems"]}
+    assert weigh() == []
 
 
 def test_gravity_acts_on_a_stone_but_not_on_a_weightless_organ(layout, tmp_path, capsys):
@@ -243,6 +248,16 @@ def test_a_layout_keeps_its_words_gravity_and_fluid(layout, tmp_path, capsys):
         (("set",), "set: got nothing to keep, expected one at least of its options"),
         (("tool", "--radius", "1m"), "--radius: got 1, expected 1e-05 to 0.2"),
         (("tool", "--kind", "ball", "--trocar", "0,0,9"), "--trocar: got one for a ball"),
+        (
+            ("tool", "--kind", "ball", "--length", "3mm"),
+            "--length: got one for a ball, on which it has no effect, expected none",
+        ),
+        (("tool", "--kind", "ball", "--grip-force", "3N"), "--grip-force: got one for a ball"),
+        (("tool", "--kind", "probe", "--jaw-opening", "0.3"), "--jaw-opening: got one for a probe"),
+        (
+            ("tool", "--kind", "syringe", "--grip-force", "3N"),
+            "--grip-force: got one for a syringe",
+        ),
         (("check", "--fluid", "water"), "--fluid: got 'water', expected DENSITY,VISCOSITY"),
         (("check", "--fluid=-1,0"), "--fluid: got '-1,0', expected DENSITY,VISCOSITY"),
     ],

@@ -144,12 +144,32 @@ def test_a_check_that_pressed_nothing_says_so(layout, capsys):
         (["add", "nowhere.palpate"], 1, "No such file"),
         (["add", "two.layout.json"], 1, "expected a published organ"),
         (["redo"], 2, "nothing that was undone"),
+        (["pair", "low", "high", "--damping", "inf"], 2, "damping: got inf, expected 0 to 1"),
+        (["pair", "low", "high", "--damping", "1e400"], 2, "damping: got inf, expected 0 to 1"),
+        (["pair", "low", "high", "--damping", "1e300"], 2, "damping: got 1e+300, expected 0 to 1"),
+        (["pair", "low", "high", "--damping", "nan"], 2, "damping: got nan, expected 0 to 1"),
+        (["pair", "low", "high", "--friction", "inf"], 2, "friction: got inf, expected 0 to 2"),
+        (["pair", "low", "high", "--thickness", "6mm"], 2, "thickness: got 6 mm, expected 0 to 5"),
+        (["tool", "--jaw-opening", "inf"], 2, "--jaw-opening: got inf, expected 0 to 1.57"),
+        (["tool", "--friction", "1e300"], 2, "--friction: got 1e+300, expected 0 to 2"),
+        (["tool", "--trocar=1e300,0,0"], 2, "expected X,Y,Z of up to 10000 mm each"),
+        (["place", "high", "--at", "1e300,0,0"], 2, "expected X,Y,Z of up to 10000 mm each"),
+        (["place", "high", "--by=-1e5,0,0"], 2, "expected X,Y,Z of up to 10000 mm each"),
+        (["place", "high", "--at=9e3,0,0", "--by=9e3,0,0"], 2,
+         "high: position: got 18000 mm, expected -10000 to 10000 mm"),
+        (["place", "high", "--turn", "0,0,1e300"], 2, "expected X,Y,Z of up to 3600 degrees each"),
+        (["set", "--gravity=0,0,-1e9"], 2, "expected X,Y,Z of up to 100 m/s² each"),
+        (["place", "high", "--snap", "foot", "--onto", "low/top", "--gap=-0.1mm"], 2,
+         "--gap: got -0.1 mm, expected 0 to 1000 mm"),
+        (["add", "organ.palpate", "--name", "a/b"], 2, "name: got 'a/b', expected a name, without"),
+        (["add", "organ.palpate", "--name", ""], 2, "name: got '', expected a name, without /"),
+        (["set", "--title", "\udcff"], 2, "got '\\udcff', expected text that UTF-8 can say"),
     ],
-    ids=["name", "three", "onto", "itself", "region", "fold", "pair", "file", "kind", "redo"],
-)
+)  # fmt: skip
 def test_what_cannot_be_done_is_refused_and_leaves_the_layout_as_it_was(
-    words, code, said, layout, capsys
+    words, code, said, layout, monkeypatch, capsys
 ):
+    monkeypatch.chdir(layout.parent)
     before = layout.read_bytes()
     action, *rest = words
 
@@ -157,6 +177,25 @@ def test_what_cannot_be_done_is_refused_and_leaves_the_layout_as_it_was(
 
     assert said in capsys.readouterr().err
     assert layout.read_bytes() == before
+
+
+def test_the_ends_of_what_places_and_turns_can_be_are_read_again(layout, capsys):
+    at, turn = "--at=1e4,-1e4,0", "--turn=3600,-3600,3600"
+    told = say(capsys, "place", layout, "high", at, turn)
+    assert told["bodies"][1]["position_m"] == [10.0, -10.0, 0.0]
+    assert say(capsys, "undo", layout)["code"] == 0
+
+
+def test_a_scene_without_a_title_is_told_what_a_trainee_reads_and_what_gives_it_one(layout, capsys):
+    def notes() -> list[str]:
+        found = say(capsys, "check", layout, "--quick")["problems"]
+        return [problem["message"] for problem in found if problem["where"] == "title"]
+
+    assert notes() == []
+    say(capsys, "set", layout, "--title", "")
+
+    (said,) = notes()
+    assert '"low + high"' in said and "`palpate scene set LAYOUT --title" in said
 
 
 def test_a_changed_organ_is_told_and_its_new_file_can_be_taken(layout, tmp_path, capsys):

@@ -21,6 +21,7 @@ from palpate.layout import document
 from palpate.layout.check import check, describe_pair
 from palpate.layout.document import History, Layout, LayoutError, Placed
 from palpate.layout.layout_file import read_layout, write_layout
+from palpate.layout.ranges import FLUID, FRICTION, GRAVITY, PLACE, TURN, Range
 from palpate.layout.stone import FEWEST, MOST
 from palpate.layout.task import find_task
 from palpate.layout.write import write_checked
@@ -57,7 +58,7 @@ def add_scene(parser: argparse.ArgumentParser) -> None:
             made[name].add_argument(option)
     for name in ("new", "set", "check", "publish"):
         made[name].add_argument(
-            "--gravity", type=or_none(read_three), metavar="X,Y,Z",
+            "--gravity", type=or_none(three(GRAVITY)), metavar="X,Y,Z",
             help="[m/s²]; default, and none: as the first organ has it, which is 0 of most",
         )  # fmt: skip
         made[name].add_argument(
@@ -115,15 +116,15 @@ def add_hard(parser: argparse.ArgumentParser) -> None:
 
 
 def add_placement(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--at", type=read_three, metavar="X,Y,Z", help="[mm] of its own origin")
+    parser.add_argument("--at", type=three(PLACE), metavar="X,Y,Z", help="[mm] of its own origin")
     parser.add_argument(
-        "--turn", type=read_three, metavar="X,Y,Z",
+        "--turn", type=three(TURN), metavar="X,Y,Z",
         help="[degree] about x, then y, then z of the scene, about its own origin",
     )  # fmt: skip
 
 
 def add_more(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--by", type=read_three, metavar="X,Y,Z", help="[mm] from where it is")
+    parser.add_argument("--by", type=three(PLACE), metavar="X,Y,Z", help="[mm] from where it is")
     parser.add_argument("--snap", metavar="REGION", help="of it, which is laid ...")
     parser.add_argument("--onto", metavar="BODY/REGION", help="... on this one of another body")
     parser.add_argument(
@@ -156,7 +157,7 @@ def add_tool(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--friction", type=float, help="[-] likewise")
     parser.add_argument("--grip-force", type=quantity("N"), help="of each jaw at its middle (5N)")
     parser.add_argument(
-        "--trocar", type=read_three, metavar="X,Y,Z",
+        "--trocar", type=three(PLACE), metavar="X,Y,Z",
         help="[mm] where its shaft passes the wall; without one the device turns it",
     )  # fmt: skip
     parser.add_argument("--remove", action="store_true", help="that of the first organ again")
@@ -186,8 +187,8 @@ def read_own_friction(text: str) -> tuple[float, ...]:
         mu = float(text)
     except ValueError:
         mu = math.nan
-    if not 0.0 <= mu <= 2.0:
-        raise argparse.ArgumentTypeError(f"got {text!r}, expected 0 to 2, or own")
+    if not FRICTION.holds(mu):
+        raise argparse.ArgumentTypeError(f"got {text!r}, expected {FRICTION}, or own")
     return (mu,)
 
 
@@ -196,21 +197,27 @@ def read_two(text: str) -> tuple[float, float]:
         density, viscosity = (float(part) for part in text.split(","))
     except ValueError:
         density = viscosity = math.nan
-    if not (0.0 <= density <= 2e4 and 0.0 <= viscosity <= 10.0):
+    if not (FLUID[0].holds(density) and FLUID[1].holds(viscosity)):
         raise argparse.ArgumentTypeError(
             f"got {text!r}, expected DENSITY,VISCOSITY of up to 20000 kg/m³ and 10 Pa s"
         )
     return density, viscosity
 
 
-def read_three(text: str) -> tuple[float, float, float]:
-    try:
-        x, y, z = (float(part) for part in text.split(","))
-    except ValueError:
-        x = math.nan
-    if not (math.isfinite(x) and math.isfinite(y) and math.isfinite(z)):
-        raise argparse.ArgumentTypeError(f"got {text!r}, expected X,Y,Z")
-    return x, y, z
+def three(range: Range) -> Callable[[str], tuple[float, float, float]]:
+    """Reads X,Y,Z in its unit."""
+
+    def read(text: str) -> tuple[float, float, float]:
+        try:
+            x, y, z = (float(part) for part in text.split(","))
+        except ValueError:
+            x = y = z = math.nan
+        if not all(range.holds(each * range.scale) for each in (x, y, z)):
+            most = range.say(range.most)
+            raise argparse.ArgumentTypeError(f"got {text!r}, expected X,Y,Z of up to {most} each")
+        return x, y, z
+
+    return read
 
 
 def run_scene(call: argparse.Namespace) -> Report:

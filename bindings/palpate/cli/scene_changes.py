@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from palpate.assessment.publish import read_assessment
 from palpate.command.verb import WrongCall
-from palpate.layout import document
+from palpate.layout import document, ranges
 from palpate.layout.document import (
     Layout,
     LayoutError,
@@ -29,8 +29,8 @@ from palpate.layout.document import (
 from palpate.layout.gaps import Surface
 from palpate.layout.hard_parts import scale_mesh
 from palpate.layout.placed import build_body, find_region, find_surface, read_organ, read_placed
+from palpate.layout.ranges import Range
 from palpate.layout.snap import measure_patch, snap
-from palpate.layout.stone import FEWEST, MOST
 from palpate.layout.task import set_task
 from palpate.scene.instrument_kinds import KINDS as TOOLS
 from palpate.scene.mesh_file import read_mesh_file
@@ -45,15 +45,11 @@ OF_KIND = {"density": (PlacedStone,), "spheres": (PlacedStone,),
 """Options that only some of what is placed have."""
 OF_BODIES = {"fold": "may_fold", "weightless": "weightless"}
 """Options that only organs have, and what they say of them."""
-TOOL_RANGES = {"radius": (1e-5, 0.2), "length": (0.0, 0.05), "jaw_opening": (0.0, 1.57),
-               "friction": (0.0, 2.0), "grip_force": (0.001, 100.0)}  # fmt: skip
-"""Of an instrument, as of an assessment's."""
-RANGES = {"density": (1.0, 3e4), "spheres": (FEWEST, MOST), "friction": (0.0, 2.0)}
 
 
 def change_add(layout: Layout, call: argparse.Namespace) -> Layout:
     part: Placed = KINDS[call.kind](
-        call.name or call.organ.stem,
+        call.organ.stem if call.name is None else call.name,
         Path(os.path.relpath(call.organ.resolve(), call.file.resolve().parent)).as_posix(),
         "",
     )
@@ -122,14 +118,20 @@ def set_numbers(part: Any, call: argparse.Namespace) -> Any:
             continue
         if not isinstance(part, kinds):
             raise LayoutError(f"{part.name}: got --{name}, which it has not")
-        low, high = RANGES[name]
-        if not low <= value <= high:
-            raise LayoutError(f"--{name}: got {value:g}, expected {low:g} to {high:g}")
+        require_option(name, value, ranges.PARTS[name])
         part = replace(part, **{name: value})
     return part
 
 
+def require_option(name: str, value: float, range: Range) -> None:
+    """Raises LayoutError."""
+    if not range.holds(value):
+        option = name.replace("_", "-")
+        raise LayoutError(f"--{option}: got {range.say(value)}, expected {range}")
+
+
 def snap_body(layout: Layout, call: argparse.Namespace) -> Layout:
+    require_option("gap", call.gap, ranges.GAP)
     other, slash, region = call.onto.partition("/")
     if not slash or other == call.name:
         raise WrongCall(f"--onto: got {call.onto!r}, expected BODY/REGION of another body")
@@ -162,20 +164,22 @@ def change_pair(layout: Layout, call: argparse.Namespace) -> Layout:
 
 
 def change_tool(layout: Layout, call: argparse.Namespace) -> Layout:
-    """Raises LayoutError for numbers out of range."""
+    """Raises LayoutError for numbers out of range, or of what the instrument has not."""
     if call.remove:
         return replace(layout, tools=())
     usual = TOOLS[call.kind]
-    said = {name: getattr(call, name) for name in TOOL_RANGES}
+    said = {name: getattr(call, name) for name in ranges.TOOLS}
     said = {name: value for name, value in said.items() if value is not None}
     for name, value in said.items():
-        low, high = TOOL_RANGES[name]
-        if not low <= value <= high:
+        if name in usual.idle:
             option = name.replace("_", "-")
-            raise LayoutError(f"--{option}: got {value:g}, expected {low:g} to {high:g}")
+            raise LayoutError(
+                f"--{option}: got one for a {call.kind}, on which it has no effect, expected none"
+            )
+        require_option(name, value, ranges.TOOLS[name])
     trocar = () if call.trocar is None else tuple(1e-3 * x for x in call.trocar)
     if trocar and not said.get("length", usual.length) > 0.0:
-        raise LayoutError("--trocar: got one for a ball, expected a shaft (--length)")
+        raise LayoutError("--trocar: got one for a ball, expected a shaft")
     return replace(layout, tools=(SceneTool(call.kind, **{**vars(usual), **said}, trocar=trocar),))
 
 

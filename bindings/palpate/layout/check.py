@@ -22,7 +22,7 @@ from palpate.layout.hard_checks import find_unsettled, name_numbers, note_hard_p
 from palpate.layout.hard_parts import read_part_mesh
 from palpate.layout.pair_advice import PairAdvice, advise_pair, advise_slow_pair
 from palpate.layout.placed import read_placed
-from palpate.layout.publish import make_scenario
+from palpate.layout.publish import make_scenario, name_scene
 from palpate.layout.separate import MOST_SHIFT, Separation
 from palpate.runs.alarms import tell_alarm
 from palpate.runs.costs import hold_costs
@@ -64,7 +64,8 @@ def check(path: Path, layout: Layout, measures: bool = True) -> Checked:
         assembly = read_assembly(path, layout)
     except ValueError as problem:
         return Checked([Problem(ERROR, "pairs", str(problem))], None, None, {})
-    problems = [*find_disagreements(assembly), *find_unpaired(assembly), *note_sleep(assembly)]
+    problems = [*note_title(layout), *find_disagreements(assembly), *find_unpaired(assembly)]
+    problems += note_sleep(assembly)
     problems += note_hard_parts(layout, assembly)
     parted = [(describe_separation(layout, each), each) for each in separate_bodies(assembly)]
     problems += [problem for problem, _ in parted]
@@ -154,6 +155,16 @@ def find_unpaired(assembly: Assembly) -> list[Problem]:
                             "through each other")
                 )  # fmt: skip
     return problems
+
+
+def note_title(layout: Layout) -> list[Problem]:
+    if layout.title:
+        return []
+    said = (
+        f'got none, so a trainee reads "{name_scene(layout)}": `palpate scene set LAYOUT --title '
+        '"..."` gives it one'
+    )
+    return [Problem(NOTE, "title", said)]
 
 
 def note_sleep(assembly: Assembly) -> list[Problem]:

@@ -8,13 +8,14 @@ change can be undone after the program that made it has ended.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from palpate.layout import ranges
+from palpate.layout.ranges import Fault
+
 FORMAT, VERSION = "palpate layout", 7
-MOST_FRICTION = 2.0
-"""[-] That a scene file can hold."""
 MOST_STEPS = 100
 """Changes that can be undone; older ones are forgotten."""
 
@@ -201,7 +202,16 @@ KINDS: dict[type, str] = {PlacedBody: "bodies", PlacedStone: "stones", PlacedSce
 """What is placed -> the field of a layout that has it."""
 
 
+def require(where: str, faults: Iterable[Fault]) -> None:
+    """Raises LayoutError for the first of them."""
+    for fault in faults:
+        raise LayoutError(f"{where}{fault.field}: got {fault.got}, expected {fault.expected}")
+
+
 def add_part(layout: Layout, part: Placed) -> Layout:
+    """Raises LayoutError."""
+    require("", ranges.find_name_faults(part.name))
+    require(f"{part.name}: ", ranges.find_part_faults(part))
     if any(other.name == part.name for other in layout.parts):
         raise LayoutError(f"{part.name}: got a name that is taken, expected a new one")
     rows = getattr(layout, KINDS[type(part)])
@@ -226,9 +236,12 @@ def remove_part(layout: Layout, name: str) -> Layout:
 
 
 def change_part(layout: Layout, name: str, change: Callable[[Any], Placed]) -> Layout:
+    """Raises LayoutError."""
     part = layout.find_part(name)
     field = KINDS[type(part)]
-    rows = tuple(change(row) if row is part else row for row in getattr(layout, field))
+    changed = change(part)
+    require(f"{name}: ", ranges.find_part_faults(changed))
+    rows = tuple(changed if row is part else row for row in getattr(layout, field))
     return replace(layout, **{field: rows})
 
 
@@ -243,12 +256,7 @@ def set_pair(layout: Layout, pair: TouchingPair) -> Layout:
         raise LayoutError(
             f"{pair.first}: got a body with itself, expected two; --fold lets it fold"
         )
-    for name in ("thickness", "stiffness", "damping", "friction"):
-        value = getattr(pair, name)
-        if not value >= 0.0:
-            raise LayoutError(f"{name}: got {value:g}, expected 0 or more")
-    if pair.friction > MOST_FRICTION:
-        raise LayoutError(f"friction: got {pair.friction:g}, expected 0 to {MOST_FRICTION:g}")
+    require("", ranges.find_faults(pair, ranges.PAIRS))
     stopped = find_stopped(layout, pair.first, pair.second)
     if stopped is not None:
         scenery, body = stopped

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, fields
+from collections.abc import Iterable
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,8 +13,9 @@ from palpate.files.json_document import read_document
 from palpate.files.json_part import read_part
 from palpate.files.refusal import Refusal
 from palpate.files.whole_file import write_whole
-from palpate.layout.document import FORMAT, VERSION, History, Layout
-from palpate.layout.stone import FEWEST, MOST
+from palpate.layout import ranges
+from palpate.layout.document import FORMAT, VERSION, History, Layout, LayoutError
+from palpate.layout.ranges import Fault
 from palpate.layout.task import require_task
 from palpate.scene.instrument_kinds import KINDS
 
@@ -79,29 +81,18 @@ def add_to_part(path: Path, part: Any, where: str, usual: object, version: int) 
     return {**part, name: usual}
 
 
-AT_LEAST = dict.fromkeys(("friction", "thickness", "stiffness", "damping", "length"), 0.0)
-ABOVE = dict.fromkeys(("scale", "density", "radius"), 0.0)
+def require(path: Path | None, where: str, faults: Iterable[Fault]) -> None:
+    """Raises Refusal for the first of them."""
+    for fault in faults:
+        raise Refusal(path, f"{where}{fault.field}", fault.got, fault.expected)
 
 
-def require_ranges(path: Path, where: str, row: object) -> None:
-    """Of numbers that no scene could have. Raises Refusal."""
-    for name, least in (AT_LEAST | ABOVE).items():
-        value = getattr(row, name, None)
-        if value is None or value > least or (value == least and name in AT_LEAST):
-            continue
-        expected = f"{least:g} or more" if name in AT_LEAST else f"more than {least:g}"
-        raise Refusal(path, f"{where}.{name}", f"{value:g}", expected)
-    count = getattr(row, "spheres", FEWEST)
-    if not FEWEST <= count <= MOST:
-        raise Refusal(path, f"{where}.spheres", f"{count}", f"{FEWEST} to {MOST}")
-
-
-def require_sound(path: Path, layout: Layout) -> None:
+def require_sound(path: Path | None, layout: Layout) -> None:
     """What no edit would have made. Raises Refusal."""
     names = [part.name for part in layout.parts]
     for index, part in enumerate(layout.parts):
         where = f"{part.name or index}"
-        if not part.name or part.name in names[:index]:
+        if part.name in names[:index]:
             raise Refusal(path, f"{where}.name", repr(part.name), "a name of its own")
         for field in ("position", "rotation"):
             count = len(getattr(part, field))
@@ -110,19 +101,16 @@ def require_sound(path: Path, layout: Layout) -> None:
         if len(part.tool_friction) > 1:
             raise Refusal(path, f"{where}.tool_friction", f"{len(part.tool_friction)} numbers",
                           "one, or none")  # fmt: skip
-        if any(not mu >= 0.0 for mu in part.tool_friction):
-            raise Refusal(path, f"{where}.tool_friction", f"{part.tool_friction[0]:g}", "0 or more")
-        require_ranges(path, where, part)
+        require(path, f"{where}.", ranges.find_part_faults(part))
     if len(layout.gravity) not in (0, 3):
         raise Refusal(path, "gravity", f"{len(layout.gravity)} numbers", "3, or none")
     if len(layout.fluid) not in (0, 2):
         raise Refusal(path, "fluid", f"{len(layout.fluid)} numbers", "2, or none")
-    if any(number < 0.0 for number in layout.fluid):
-        raise Refusal(path, "fluid", f"{min(layout.fluid):g}", "0 or more")
+    require(path, "", ranges.find_scene_faults(layout))
     if len(layout.tools) > 1:
         raise Refusal(path, "tools", f"{len(layout.tools)}", "one, or none")
     for tool in layout.tools:
-        require_ranges(path, "tools[0]", tool)
+        require(path, "tools[0].", ranges.find_tool_faults(tool))
         if tool.kind not in KINDS:
             raise Refusal(path, "tools[0].kind", repr(tool.kind), f"one of {', '.join(KINDS)}")
         if len(tool.trocar) not in (0, 3):
@@ -136,7 +124,7 @@ def require_sound(path: Path, layout: Layout) -> None:
             got = f"{pair.first!r} and {pair.second!r}"
             raise Refusal(path, f"pairs[{index}]", got, "two of the bodies, each pair once")
         known.append(both)
-        require_ranges(path, f"pairs[{index}]", pair)
+        require(path, f"pairs[{index}].", ranges.find_faults(pair, ranges.PAIRS))
     for index, scenery in enumerate(layout.scenery):
         if not set(scenery.stops) <= bodies or len(set(scenery.stops)) < len(scenery.stops):
             raise Refusal(path, f"scenery[{index}].stops", ", ".join(scenery.stops),
@@ -144,10 +132,29 @@ def require_sound(path: Path, layout: Layout) -> None:
 
 
 def write_layout(path: Path, history: History) -> None:
-    """Writes whole or not at all. Raises OSError."""
+    """Writes whole or not at all what `read_layout` reads; of more steps than a file has room for
+    the older half is forgotten. Raises LayoutError or OSError."""
+    try:
+        for layout in (history.now, *history.before, *history.undone):
+            require_sound(None, layout)
+        text = write_text(history)
+        while len(text) > MOST_BYTES and history.before:
+            history = replace(history, before=history.before[(len(history.before) + 1) // 2 :])
+            text = write_text(history)
+    except Refusal as refusal:
+        raise LayoutError(str(refusal)) from None
+    except UnicodeEncodeError as problem:
+        got = repr(problem.object[problem.start : problem.end])
+        raise LayoutError(f"layout: got {got}, expected text that UTF-8 can say") from None
+    if len(text) > MOST_BYTES:
+        raise LayoutError(f"layout: got {len(text)} bytes, expected at most {MOST_BYTES}")
+    write_whole(path, text)
+
+
+def write_text(history: History) -> bytes:
     data = {"format": FORMAT, "version": VERSION}
     data |= {each.name: convert(getattr(history, each.name)) for each in fields(history)}
-    write_whole(path, (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode())
+    return (json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 
 def convert(value: Layout | tuple[Layout, ...]) -> object:

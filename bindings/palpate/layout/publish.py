@@ -35,7 +35,7 @@ def make_scenario(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> s
     words = {"tr": scenario.Words(layout.title_tr, layout.task_tr)}
     made = scenario.Scenario(
         scene=scene,
-        title=layout.title or " + ".join(body.name for body in layout.bodies),
+        title=name_scene(layout),
         task=layout.task,
         authored=json.dumps({"format": FORMAT, "version": VERSION, "content": content}),
         authored_arrays={
@@ -46,6 +46,11 @@ def make_scenario(layout: Layout, assembly: Assembly, scene: palpate.Scene) -> s
     )
     task = find_task(layout)
     return with_assessment("task", task, made) if task is not None and has_steps(task) else made
+
+
+def name_scene(layout: Layout) -> str:
+    """What a trainee reads."""
+    return layout.title or " + ".join(body.name for body in layout.bodies)
 
 
 def join_regions(layout: Layout, organs: list[Organ]) -> dict[str, NDArray[np.int32]]:

@@ -26,6 +26,12 @@ class InstrumentKind:
     jaw_opening: float = 0.0
     """[rad]"""
 
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """Numbers of an instrument that this has not: of a shaft, or of jaws."""
+        of_shaft = () if self.length else ("length",)
+        return (*of_shaft, *(() if self.jaw_opening else ("jaw_opening", "grip_force")))
+
 
 def read_descriptions() -> dict[str, dict[str, Any]]:
     """All that is known of every instrument, in the frame of its mesh: tip at 0, shaft along -z."""

@@ -8,6 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from palpate.layout.document import LayoutError
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from palpate_editor.app.recovery import ORGAN, DocumentKind, Recovery, RecoveryFile
@@ -87,7 +88,7 @@ class Autosave(QObject):
     def _write(self, value: Any, path: Path | None, name: str, state: str | None) -> None:
         try:
             self.file.write(value, path, name, state)
-        except OSError as problem:  # a FileError is one
+        except (LayoutError, OSError) as problem:  # a FileError is an OSError
             self._written.emit(str(problem))
         else:
             self._written.emit("")

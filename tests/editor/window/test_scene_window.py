@@ -186,7 +186,7 @@ def test_numbers_place_and_undo_is_that_of_the_file(scene, two):
 def test_a_number_that_is_no_place_is_refused_with_a_sentence(scene):
     scene.do(("pair", "left", "right", "--thickness=-1mm"))
 
-    assert "expected 0 or more" in scene.messages.text
+    assert "expected 0 to 5 mm" in scene.messages.text
     assert scene.session.layout.pairs[0].thickness == 0.0
 
 

@@ -4124,10 +4124,6 @@
         <translation>(%1, 3) biçiminde |u1</translation>
     </message>
     <message>
-        <source>0 or more</source>
-        <translation>0 ya da daha çok</translation>
-    </message>
-    <message>
         <source>a name, without /</source>
         <translation>/ içermeyen bir ad</translation>
     </message>
@@ -4150,10 +4146,6 @@
     <message>
         <source>a scene that a file holds</source>
         <translation>bir dosyanın tuttuğu bir sahne</translation>
-    </message>
-    <message>
-        <source>more than %1</source>
-        <translation>%1 değerinden çok</translation>
     </message>
     <message>
         <source>one, or none</source>

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from palpate.files.refusal import Refusal
+from palpate.layout.document import LayoutError
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
@@ -39,7 +40,7 @@ class LayoutFiles(QObject):
     def overwrite(self) -> bool:
         try:
             self.session.save()
-        except OSError as problem:
+        except (LayoutError, OSError) as problem:
             self.refused.emit(problem)
             return False
         words = tr("Saved as {file}.").format(file=self.session.path.name)
@@ -65,7 +66,7 @@ class LayoutFiles(QObject):
     def save_name(self, name: str) -> None:
         try:
             self.session.save_as(name_layout(Path(name)))
-        except OSError as problem:
+        except (LayoutError, OSError) as problem:
             self.refused.emit(problem)
 
     def ask(

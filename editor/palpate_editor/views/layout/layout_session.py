@@ -86,13 +86,14 @@ class LayoutSession(QObject):
         return is_changed(self.path, self.state)
 
     def save(self) -> None:
-        """Raises OSError."""
+        """Raises LayoutError or OSError."""
         write_layout(self.path, self.history)
         self.state, self.written = read_state(self.path), self.history
         self.title_changed.emit()
 
     def save_as(self, path: Path) -> None:
-        """In another file, from whose folder all files are named then. Raises OSError."""
+        """In another file, from whose folder all files are named then. Raises LayoutError or
+        OSError."""
         before = self.path.resolve().parent
         history = rename_files(self.history, before, path.resolve().parent)
         write_layout(path, history)

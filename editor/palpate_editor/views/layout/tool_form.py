@@ -105,7 +105,7 @@ def write_tool(
     """The words that make `tool` what it is with `changed`; what is as usual goes unsaid."""
     words = ["tool", f"--kind={tool.kind}"]
     usual = SceneTool(tool.kind, **vars(KINDS[tool.kind]))
-    for name in OPTIONS:
+    for name in (name for name in OPTIONS if name not in KINDS[tool.kind].idle):
         value = changed.get(name, getattr(tool, name))
         if value != getattr(usual, name):
             words.append(f"--{name.replace('_', '-')}={value:.9g}{TELLS.get(name, '')}")
