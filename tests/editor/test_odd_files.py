@@ -278,21 +278,21 @@ def write_x3d(path: Path) -> None:
     )
 
 
-def write_amf(path: Path) -> None:
+def write_amf(path: Path, root: str = '<amf unit="millimeter">') -> None:
     corner = "<vertex><coordinates><x>%g</x><y>%g</y><z>%g</z></coordinates></vertex>"
     face = "<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>"
     path.write_text(
-        '<?xml version="1.0"?><amf unit="millimeter"><object id="1"><mesh><vertices>'
+        f'<?xml version="1.0"?>{root}<object id="1"><mesh><vertices>'
         f"{list_points(corner)}</vertices><volume>{list_indices(face)}</volume></mesh></object></amf>",
         encoding="utf-8",
     )
 
 
-def write_3mf(path: Path) -> None:
+def write_3mf(path: Path, root: str = '<model unit="millimeter">') -> None:
     """A zip of XML."""
     core = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
     model = (
-        f'<?xml version="1.0"?><model unit="millimeter" xmlns="{core}"><resources>'
+        f'<?xml version="1.0"?>{root[:-1]} xmlns="{core}"><resources>'
         '<object id="1" type="model" name="organ"><mesh><vertices>'
         + list_points('<vertex x="%g" y="%g" z="%g"/>')
         + "</vertices><triangles>"
@@ -333,6 +333,44 @@ def test_what_assimp_reads_of_other_programs_opens_too(write, tmp_path):
     assert (report.triangles, report.closed, report.outward) == (4, True, True)
     # |det|/6 by hand, however the format has its axes
     assert report.volume_ml == pytest.approx(100.0 * 60.0 * 40.0 / 6.0 * 1e-3)
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "unit"),
+    [
+        ("3mf", 'unit="inch"', "in"),
+        ("3mf", "unit = 'micron'", "um"),
+        ("3mf", 'xml:lang="unit" unit="centimeter"', "cm"),
+        ("3mf", 'unit="foot"', "ft"),
+        ("3mf", 'unit="meter"', "m"),
+        ("3mf", "", "mm"),
+        ("amf", 'version="1.1" unit="inch"', "in"),
+        ("amf", 'unit="micron"', "um"),
+        ("amf", 'unit="feet"', "ft"),
+        ("amf", "", "mm"),
+    ],
+)
+def test_3mf_and_amf_say_their_unit(name, said, unit, tmp_path):
+    path = tmp_path / f"a.{name}"
+    tag = "model" if name == "3mf" else "amf"
+    root = f'<!-- <{tag} unit="meter"> -->\n<{tag} {said}>'
+    (write_3mf if name == "3mf" else write_amf)(path, root)
+
+    scene, organ = read_mesh(path), import_mesh(path)
+
+    assert (scene.unit, scene.notes) == (unit, [])
+    assert (organ.unit, organ.unit_guessed) == (unit, False)
+    x = np.vstack([np.asarray(part.mesh.vertices) for part in scene.parts])
+    assert np.allclose(np.ptp(x, axis=0), np.ptp(TETRAHEDRON, axis=0))  # nothing scales it twice
+
+
+def test_a_3mf_of_an_unknown_unit_is_guessed_with_a_note(tmp_path):
+    write_3mf(tmp_path / "a.3mf", '<model unit="cubit">')
+
+    scene = read_mesh(tmp_path / "a.3mf")
+
+    assert scene.unit is None
+    assert scene.notes == ["states a unit of 'cubit', which has no name here"]
 
 
 @pytest.mark.parametrize("write", [write_x3d, write_3mf, write_amf, write_ac, write_x])
