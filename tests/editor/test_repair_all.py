@@ -21,6 +21,7 @@ from palpate_editor.edits import EditError, RepairAll, import_file
 from palpate_editor.edits.inspected import mesh_of
 from palpate_editor.edits.ladder import climb
 from palpate_editor.repair_all import repair_problems
+from palpate_meshes.generate import ellipsoid
 
 CLOSE = 0.01
 """[-] of the volume."""
@@ -100,6 +101,30 @@ def test_the_mouth_of_a_bowl_and_the_rim_of_a_sheet_are_no_damage():
 
     assert len(palpate.find_border_loops(found.organ.surface.triangles)) == 1
     assert any("hollow" in text for text in found.left)
+
+
+def nest(*shapes: tuple[float, int]) -> Organ:
+    """One shape in these sizes about one place, that faces outwards where 1 stands beside it."""
+    x, t = ellipsoid(200)
+    faces = [(t if out > 0 else t[:, ::-1]) + i * len(x) for i, (_, out) in enumerate(shapes)]
+    middle = x.mean(axis=0)
+    places = [middle + size * (x - middle) for size, _ in shapes]
+    return organ_of(np.vstack(places), np.vstack(faces))
+
+
+def test_a_part_inside_an_organ_that_faces_outwards_too_is_dropped():
+    organ = nest((1.0, 1), (0.5, 1))
+
+    found = climb(organ)
+
+    assert [rung.title for rung in found.rungs] == ["Drop pieces that are counted twice"]
+    assert len(found.organ.surface.triangles) == len(organ.surface.triangles) // 2
+    assert found.left == ()
+
+
+def test_a_cavity_and_what_lies_in_it_are_kept():
+    assert climb(nest((1.0, 1), (0.5, -1))).rungs == ()
+    assert climb(nest((1.0, 1), (0.5, -1), (0.2, 1))).rungs == ()
 
 
 def test_a_hollow_organ_keeps_its_holes():

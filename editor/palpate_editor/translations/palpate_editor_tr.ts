@@ -4129,6 +4129,10 @@ Beklenen: {expected}.</translation>
         <translation>Küçük parçaları at</translation>
     </message>
     <message>
+        <source>Drop pieces that are counted twice</source>
+        <translation>İki kez sayılan parçaları at</translation>
+    </message>
+    <message>
         <source>Remove crossings</source>
         <translation>Kesişmeleri gider</translation>
     </message>
