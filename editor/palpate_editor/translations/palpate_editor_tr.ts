@@ -5588,6 +5588,10 @@ Beklenen: {expected}.</translation>
         <translation>komşuların ayrı taraflara baktığı {count} kenar</translation>
     </message>
     <message>
+        <source>{count} pieces inside others, not seen from outside; {doubled} of them face outwards too: they count twice in the volume and are filled hollow</source>
+        <translation>ötekilerin içinde, dışarıdan görünmeyen {count} parça; {doubled} tanesi de dışa bakıyor: hacimde iki kez sayılır ve içi boş doldurulur</translation>
+    </message>
+    <message>
         <source>{count} pieces inside others, not seen from outside</source>
         <translation>ötekilerin içinde, dışarıdan görünmeyen {count} parça</translation>
     </message>
