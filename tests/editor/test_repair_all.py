@@ -20,7 +20,7 @@ from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import EditError, RepairAll, import_file
 from palpate_editor.edits.inspected import mesh_of
-from palpate_editor.edits.ladder import climb
+from palpate_editor.edits.ladder import State, climb, find_left
 from palpate_editor.repair_all import repair_problems
 from palpate_meshes.generate import ellipsoid
 
@@ -102,6 +102,17 @@ def test_the_mouth_of_a_bowl_and_the_rim_of_a_sheet_are_no_damage():
 
     assert len(palpate.find_border_loops(found.organ.surface.triangles)) == 1
     assert any("hollow" in text for text in found.left)
+
+
+def test_holes_that_no_patch_fits_are_told_from_those_that_are_no_damage():
+    x, t = ellipsoid(200)
+    bowl = organ_of(x, t[(x[t].mean(axis=1) - x.mean(axis=0))[:, 2] < 0.0])
+
+    (no_damage,) = find_left(State.of(bowl))
+    (no_patch,) = find_left(State.of(organ_of(x, t[1:])))
+
+    assert str(no_damage).startswith("1 holes that are no damage: a hollow organ")
+    assert str(no_patch).startswith("1 small holes that no patch fits")
 
 
 def find_problems_of(organ: Organ) -> tuple[Problem, ...]:

@@ -270,10 +270,21 @@ def find_left(state: State) -> Iterator[Phrase]:
     if report.self_intersecting_faces != 0:
         yield say_left(state.surface)
     if report.border_loops:
-        yield phrase(
-            "{count} holes that are no damage, or that no patch fits: a hollow organ or a sheet "
-            "has them",
-            count=len(report.border_loops),
-        )
+        yield from say_holes(state)
     if report.shells > 1:
         yield phrase("{count} pieces that nothing holds together", count=report.shells)
+
+
+def say_holes(state: State) -> Iterator[Phrase]:
+    """Those that were left as they are, and those that could not be filled."""
+    damage = 0 if has_chosen_wall(state.organ) else len(list(find_damage(state.surface)))
+    others = len(state.report.border_loops) - damage
+    if others:
+        yield phrase(
+            "{count} holes that are no damage: a hollow organ or a sheet has them", count=others
+        )
+    if damage:
+        yield phrase(
+            "{count} small holes that no patch fits: it would touch another hole or the surface",
+            count=damage,
+        )

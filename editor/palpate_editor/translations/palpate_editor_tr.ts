@@ -5440,8 +5440,12 @@ Beklenen: {expected}.</translation>
         <translation>{edge:.3g} mm kenarlarla {count} üçgen başkalarıyla kesişirdi: daha kısasını alın ya da önce kesişmeleri giderin.</translation>
     </message>
     <message>
-        <source>{count} holes that are no damage, or that no patch fits: a hollow organ or a sheet has them</source>
-        <translation>hasar olmayan ya da hiçbir yamanın uymadığı {count} delik: içi boş bir organda ya da bir tabakada bulunur</translation>
+        <source>{count} holes that are no damage: a hollow organ or a sheet has them</source>
+        <translation>hasar olmayan {count} delik: içi boş bir organda ya da bir tabakada bulunur</translation>
+    </message>
+    <message>
+        <source>{count} small holes that no patch fits: it would touch another hole or the surface</source>
+        <translation>hiçbir yamanın uymadığı {count} küçük delik: yama başka bir deliğe ya da yüzeye değerdi</translation>
     </message>
     <message>
         <source>There is nothing to repair that can be.</source>
