@@ -41,6 +41,7 @@ from palpate_editor.document.problems import (
 from palpate_editor.document.rules import MOST_CROSSING, find_problems
 from palpate_editor.edits.inspected import inspect_surface
 from palpate_editor.edits.keep_outer import keep_outer
+from palpate_editor.edits.nested import find_doubled
 from palpate_editor.edits.repair import keep_largest
 from palpate_editor.edits.unite import can_be_united
 from palpate_editor.filling_quality import measure_filling, state_facts
@@ -136,11 +137,20 @@ def measure_surface(surface: Surface) -> tuple[authoring.MeshReport, SurfaceFact
             mean_edge=float(edges.mean()),
             diagonal=float(palpate.compute_diagonal(x)),
             inner_shells=len(keep_outer(surface).dropped) if found.shells > 1 else 0,
+            doubled_shells=count_doubled(surface, found),
             thinnest=None if found.thinnest_mm is None else 1e-3 * found.thinnest_mm,
             thin_share=len(found.thin_faces) / max(1, found.thickness_looks),
         )
         measured[surface] = found, facts
     return measured[surface]
+
+
+def count_doubled(surface: Surface, report: authoring.MeshReport) -> int:
+    """Asked of a surface of pieces that neither are open nor cross."""
+    if report.shells == 1 or report.border_loops or report.self_intersecting_faces != 0:
+        return 0
+    shells = np.asarray(palpate.find_shells(len(surface.vertices), surface.triangles))
+    return len(np.unique(shells[surface.triangles[find_doubled(surface), 0]]))
 
 
 def find_largest_crosses(surface: Surface, report: authoring.MeshReport) -> bool | None:

@@ -14,7 +14,8 @@ from tree import CHECKOUT
 
 SYSTEM = {"libc.so.6", "libm.so.6", "libgcc_s.so.1", "libstdc++.so.6", "ld-linux-x86-64.so.2",
           "ld-linux-aarch64.so.1", "libpthread.so.0"}  # fmt: skip
-RECORDS = {"libz.so.1", "libcrypto.so.3"}
+ZIPPED = {"libz.so.1"}
+RECORDS = ZIPPED | {"libcrypto.so.3"}
 VECTORS = {"libhwy.so.1"}
 SCENARIO = {"libzip.so.4"}
 OPENMESH = {"libOpenMeshCore.so.9.0", "libOpenMeshTools.so.9.0"}
@@ -28,7 +29,7 @@ ARCHIVE = CHECKOUT / "build/release/core/libpalpate_sim.a"
 ALLOWED = {
     SIM: SYSTEM | RECORDS | VECTORS | SCENARIO,
     AUTHORING: SYSTEM | RECORDS | VECTORS | OPENMESH | EXACT_NUMBERS,
-    READER: SYSTEM | {"libassimp.so.5"},
+    READER: SYSTEM | ZIPPED | {"libassimp.so.5"},
 }
 
 

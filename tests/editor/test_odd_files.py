@@ -258,6 +258,80 @@ def test_a_ply_is_refused_with_its_line(text, where, got, tmp_path):
     assert (refusal.value.where, refusal.value.got) == (where, got)
 
 
+def test_a_text_stl_filled_up_with_nuls_is_read(tmp_path):
+    path = tmp_path / "a.stl"
+    text = write_text("stl", TETRAHEDRON, TETRAHEDRON_FACES)
+    path.write_bytes(text.encode() + bytes(200))
+
+    assert corners_of(join_parts(read_mesh(path)).mesh) == EXPECTED
+
+
+@pytest.mark.parametrize(
+    ("kind", "word"), [("stl", "vertex \x1b[2J\x07 0 0"), ("obj", "f \x1b[2J 1 2")]
+)
+def test_no_refusal_sends_control_characters(kind, word, tmp_path):
+    path = tmp_path / f"a.{kind}"
+    path.write_text(("solid a\n" if kind == "stl" else "") + word + "\n", encoding="utf-8")
+
+    with pytest.raises(palpate.FileError) as refusal:
+        read_mesh(path)
+
+    assert refusal.value.got.isprintable()
+
+
+def test_a_ply_may_name_its_coordinates_in_capitals(tmp_path):
+    path = tmp_path / "a.ply"
+    text = write_text("ply", TETRAHEDRON, TETRAHEDRON_FACES)
+    for axis in "xyz":
+        text = text.replace(f"double {axis}", f"double {axis.upper()}")
+    path.write_text(text.replace("vertex_index", "Vertex_Index"), encoding="utf-8")
+
+    assert corners_of(join_parts(read_mesh(path)).mesh) == EXPECTED
+
+
+def test_a_ply_may_have_its_faces_first(tmp_path):
+    path = tmp_path / "a.ply"
+    points = [numbers(p) for p in TETRAHEDRON]
+    rows = ["3 " + " ".join(map(str, face)) for face in TETRAHEDRON_FACES.tolist()]
+    head = ["ply", "format ascii 1.0", "element face 4", "property list uchar int vertex_index"]
+    head += ["element vertex 4", *(f"property double {axis}" for axis in "xyz"), "end_header"]
+    path.write_text("\n".join([*head, *rows, *points]) + "\n", encoding="utf-8")
+
+    assert corners_of(join_parts(read_mesh(path)).mesh) == EXPECTED
+
+
+def test_an_obj_may_have_its_faces_first(tmp_path):
+    path = tmp_path / "a.obj"
+    lines = write_text("obj", TETRAHEDRON, TETRAHEDRON_FACES).splitlines()
+    path.write_text("\n".join(sorted(lines, key=lambda line: line[0])) + "\n", encoding="utf-8")
+
+    scene = read_mesh(path)
+
+    assert corners_of(join_parts(scene).mesh) == EXPECTED
+    assert scene.notes == []
+
+
+def test_an_obj_that_counts_from_0_is_read_so_with_a_note(tmp_path):
+    path = tmp_path / "a.obj"
+    lines = [f"v {numbers(p)}" for p in ROUND]
+    lines += ["f " + " ".join(f"{i}/{i}" for i in face) for face in ROUND_FACES.tolist()]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+    scene = read_mesh(path)
+
+    assert scene.notes == ["its faces count vertices from 0 and were read so"]
+    assert np.asarray(scene.parts[0].mesh.triangles).tolist() == ROUND_FACES.tolist()
+
+
+def test_a_stray_0_in_an_obj_is_left_out(tmp_path):
+    path = tmp_path / "a.obj"
+    path.write_text(write_text("obj", ROUND, ROUND_FACES) + "f 0 1 2\n", encoding="utf-8")
+
+    (note,) = read_mesh(path).notes
+
+    assert note.startswith("1 of ") and "got vertex 0" in note
+
+
 # ---------------------------------------------------------------- formats of few organs
 
 
@@ -278,21 +352,21 @@ def write_x3d(path: Path) -> None:
     )
 
 
-def write_amf(path: Path) -> None:
+def write_amf(path: Path, root: str = '<amf unit="millimeter">') -> None:
     corner = "<vertex><coordinates><x>%g</x><y>%g</y><z>%g</z></coordinates></vertex>"
     face = "<triangle><v1>%d</v1><v2>%d</v2><v3>%d</v3></triangle>"
     path.write_text(
-        '<?xml version="1.0"?><amf unit="millimeter"><object id="1"><mesh><vertices>'
+        f'<?xml version="1.0"?>{root}<object id="1"><mesh><vertices>'
         f"{list_points(corner)}</vertices><volume>{list_indices(face)}</volume></mesh></object></amf>",
         encoding="utf-8",
     )
 
 
-def write_3mf(path: Path) -> None:
+def write_3mf(path: Path, root: str = '<model unit="millimeter">') -> None:
     """A zip of XML."""
     core = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
     model = (
-        f'<?xml version="1.0"?><model unit="millimeter" xmlns="{core}"><resources>'
+        f'<?xml version="1.0"?>{root[:-1]} xmlns="{core}"><resources>'
         '<object id="1" type="model" name="organ"><mesh><vertices>'
         + list_points('<vertex x="%g" y="%g" z="%g"/>')
         + "</vertices><triangles>"
@@ -333,6 +407,45 @@ def test_what_assimp_reads_of_other_programs_opens_too(write, tmp_path):
     assert (report.triangles, report.closed, report.outward) == (4, True, True)
     # |det|/6 by hand, however the format has its axes
     assert report.volume_ml == pytest.approx(100.0 * 60.0 * 40.0 / 6.0 * 1e-3)
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "unit"),
+    [
+        ("3mf", 'unit="inch"', "in"),
+        ("3mf", "unit = 'micron'", "um"),
+        ("3mf", 'xml:lang="unit" unit="centimeter"', "cm"),
+        ("3mf", 'unit="foot"', "ft"),
+        ("3mf", 'unit="meter"', "m"),
+        ("3mf", "", "mm"),
+        ("amf", 'version="1.1" unit="inch"', "in"),
+        ("amf", 'unit="micron"', "um"),
+        ("amf", 'unit="feet"', "ft"),
+        ("amf", "", "mm"),
+    ],
+)
+def test_3mf_and_amf_say_their_unit(name, said, unit, tmp_path):
+    path = tmp_path / f"a.{name}"
+    tag = "model" if name == "3mf" else "amf"
+    root = f'<!-- <{tag} unit="meter"> -->\n<{tag} {said}>'
+    (write_3mf if name == "3mf" else write_amf)(path, root)
+
+    scene = read_mesh(path)
+    organ = join_parts(scene)
+
+    assert (scene.unit, scene.notes) == (unit, [])
+    assert (organ.unit, organ.unit_guessed) == (unit, False)
+    x = np.vstack([np.asarray(part.mesh.vertices) for part in scene.parts])
+    assert np.allclose(np.ptp(x, axis=0), np.ptp(TETRAHEDRON, axis=0))  # nothing scales it twice
+
+
+def test_a_3mf_of_an_unknown_unit_is_guessed_with_a_note(tmp_path):
+    write_3mf(tmp_path / "a.3mf", '<model unit="cubit">')
+
+    scene = read_mesh(tmp_path / "a.3mf")
+
+    assert scene.unit is None
+    assert scene.notes == ["states a unit of 'cubit', which has no name here"]
 
 
 @pytest.mark.parametrize("write", [write_x3d, write_3mf, write_amf, write_ac, write_x])

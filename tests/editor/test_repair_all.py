@@ -14,13 +14,15 @@ from damaged_shapes import COPIES, DAMAGES, SHAPES, compute_volume, damage
 from foreign_files import write_obj
 from palpate.cli.main import main
 from palpate_editor.authoring import inspect_mesh
+from palpate_editor.check import assess
 from palpate_editor.document import EMPTY, Organ, Surface, phrase
-from palpate_editor.document.files import read_organ
+from palpate_editor.document.files import read_organ, write_organ
 from palpate_editor.document.problems import Problem
 from palpate_editor.edits import EditError, RepairAll, import_file
 from palpate_editor.edits.inspected import mesh_of
-from palpate_editor.edits.ladder import climb
+from palpate_editor.edits.ladder import State, climb, find_left
 from palpate_editor.repair_all import repair_problems
+from palpate_meshes.generate import ellipsoid
 
 CLOSE = 0.01
 """[-] of the volume."""
@@ -100,6 +102,61 @@ def test_the_mouth_of_a_bowl_and_the_rim_of_a_sheet_are_no_damage():
 
     assert len(palpate.find_border_loops(found.organ.surface.triangles)) == 1
     assert any("hollow" in text for text in found.left)
+
+
+def test_holes_that_no_patch_fits_are_told_from_those_that_are_no_damage():
+    x, t = ellipsoid(200)
+    bowl = organ_of(x, t[(x[t].mean(axis=1) - x.mean(axis=0))[:, 2] < 0.0])
+
+    (no_damage,) = find_left(State.of(bowl))
+    (no_patch,) = find_left(State.of(organ_of(x, t[1:])))
+
+    assert str(no_damage).startswith("1 holes that are no damage: a hollow organ")
+    assert str(no_patch).startswith("1 small holes that no patch fits")
+
+
+def find_problems_of(organ: Organ) -> tuple[Problem, ...]:
+    return assess(organ).problems
+
+
+def nest(*shapes: tuple[float, int]) -> Organ:
+    """One shape in these sizes about one place, that faces outwards where 1 stands beside it."""
+    x, t = ellipsoid(200)
+    faces = [(t if out > 0 else t[:, ::-1]) + i * len(x) for i, (_, out) in enumerate(shapes)]
+    middle = x.mean(axis=0)
+    places = [middle + size * (x - middle) for size, _ in shapes]
+    return organ_of(np.vstack(places), np.vstack(faces))
+
+
+def test_a_part_inside_an_organ_that_faces_outwards_too_is_dropped():
+    organ = nest((1.0, 1), (0.5, 1))
+
+    found = climb(organ)
+
+    assert [rung.title for rung in found.rungs] == ["Drop pieces that are counted twice"]
+    assert len(found.organ.surface.triangles) == len(organ.surface.triangles) // 2
+    assert found.left == ()
+
+
+def test_what_counts_twice_is_said_and_a_cavity_does_not():
+    (said,) = (p for p in find_problems_of(nest((1.0, 1), (0.5, 1))) if p.key == "inner")
+    (cavity,) = (p for p in find_problems_of(nest((1.0, 1), (0.5, -1))) if p.key == "inner")
+
+    assert "1 of them face outwards too: they count twice in the volume" in str(said.got)
+    assert "twice" not in str(cavity.got)
+
+
+def test_filling_warns_of_what_it_leaves_hollow(tmp_path, capsys):
+    write_organ(tmp_path / "a.organ", nest((1.0, 1), (0.5, 1)))
+
+    assert main(["fill", str(tmp_path / "a.organ"), "--tetrahedra", "500"]) == 0
+
+    assert "are filled hollow" in capsys.readouterr().out
+
+
+def test_a_cavity_and_what_lies_in_it_are_kept():
+    assert climb(nest((1.0, 1), (0.5, -1))).rungs == ()
+    assert climb(nest((1.0, 1), (0.5, -1), (0.2, 1))).rungs == ()
 
 
 def test_a_hollow_organ_keeps_its_holes():

@@ -51,14 +51,14 @@ void ObjPaint::take_colour(TextLine& line, std::size_t vertices) {
   }
 }
 
-int ObjPaint::find_place(std::string_view word) const {
+int ObjPaint::find_place(std::string_view word, int seen, int base) const {
   const std::size_t slash = word.find('/');
   int index = 0;
   if (slash == std::string_view::npos) return -1;
   const std::string_view rest = word.substr(slash + 1);
-  if (!TextLine::parse(rest.substr(0, rest.find('/')), index) || index == 0) return -1;
+  if (!TextLine::parse(rest.substr(0, rest.find('/')), index)) return -1;
   const int count = static_cast<int>(places_.size());
-  const int place = index < 0 ? count + index : index - 1;
+  const int place = index < 0 ? seen + index : index - base;
   return place >= 0 && place < count ? place : -1;
 }
 

@@ -26,8 +26,9 @@ class ObjPaint {
   /// to 255; one is a weight, and left alone.
   void take_colour(TextLine& line, std::size_t vertices);
 
-  /// Of the corner v/vt/vn the vt, from 0; -1 where there is none, or none of that number.
-  int find_place(std::string_view word) const;
+  /// Of the corner v/vt/vn the vt, from 0; -1 where there is none, or none of that number. The file
+  /// counts them from `base`, below zero back from those `seen` above its line.
+  int find_place(std::string_view word, int seen, int base) const;
 
   /// Colours count where each of so many vertices has one.
   void finish(std::size_t vertices) {

@@ -23,7 +23,10 @@ constexpr std::size_t kTextLookedAt = 4096;
 /// Some programs begin a binary header with "solid" too, but then bytes that no text has are near.
 bool starts_as_text(const std::string& bytes) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return true;
-  return bytes.substr(0, kLookedAt).find('\0') == std::string::npos;
+  const std::size_t first = bytes.substr(0, kLookedAt).find('\0');
+  // a text may be filled up with them to the end
+  return first == std::string::npos ||
+         (first > kPreamble && bytes.find_first_not_of('\0', first) == std::string::npos);
 }
 
 std::string show_start(const std::string& bytes) {

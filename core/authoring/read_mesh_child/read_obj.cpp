@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "palpate/authoring/file_signature.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
@@ -30,6 +31,29 @@ class Obj {
         of_(1),
         places_of_(1) {}
 
+  /// To be read once more, with all vertices known before the faces, which count them from `base`.
+  void begin_again(int base) {
+    is_again_ = true;
+    base_ = base;
+  }
+
+  /// The vertices and the places in pictures alone, of a file that is read once more.
+  void take_points(std::string_view text, int number) {
+    number_ = number;
+    TextLine line(text);
+    const std::string_view word = line.take_word();
+    if (word == "v") take_vertex(line);
+    if (word == "vt") paint_.take_place(line);
+  }
+
+  /// Whether faces count from 0: the last vertex is never named, and 0 is.
+  bool counts_from_zero() const {
+    return names_zero_ && !counts_back_ && most_ < static_cast<int>(vertices_.size());
+  }
+
+  /// Whether vertices follow the faces that name them.
+  bool names_later_ones() const { return least_later_ <= static_cast<int>(vertices_.size()); }
+
   void take_line(std::string_view text, int number) {
     number_ = number;
     TextLine line(text);
@@ -37,9 +61,11 @@ class Obj {
     if (word.starts_with('#')) {
       marked_ = marked_ || text.find(kFileSignature) != std::string_view::npos;
     } else if (word == "v") {
-      take_vertex(line);
+      if (!is_again_) take_vertex(line);
+      ++seen_;
     } else if (word == "vt") {
-      paint_.take_place(line);
+      if (!is_again_) paint_.take_place(line);
+      ++seen_places_;
     } else if (word == "f" || word == "fo") {
       take_face(line);
     } else if (word == "o" || word == "g") {
@@ -74,6 +100,7 @@ class Obj {
     const auto note = [&](int count, const char* what) {
       if (count > 0) scene.notes.push_back(std::to_string(count) + what);
     };
+    if (base_ == 0) scene.notes.emplace_back("its faces count vertices from 0 and were read so");
     wrong_.settle(faces_, scene.notes);
     note(skipped_.short_faces, " faces of fewer than three corners were left out");
     note(skipped_.curves, " free-form curves or surfaces were left out");
@@ -95,8 +122,7 @@ class Obj {
     for (int i = 0; i < 3; ++i) {
       const std::string_view word = line.take_word();
       if (!TextLine::parse(word, p[i])) {
-        refuse(word.empty() ? "a vertex of " + std::to_string(i) + " numbers"
-                            : "'" + std::string(word.substr(0, 40)) + "'",
+        refuse(word.empty() ? "a vertex of " + std::to_string(i) + " numbers" : show_word(word),
                "three numbers");
       }
     }
@@ -113,7 +139,7 @@ class Obj {
       const int vertex = find_vertex(word);
       if (vertex < 0) return;
       corners_.push_back(vertex);
-      corner_places_.push_back(paint_.find_place(word));
+      corner_places_.push_back(paint_.find_place(word, seen_places_, base_));
     }
     if (corners_.size() < 3) {
       ++skipped_.short_faces;
@@ -138,11 +164,18 @@ class Obj {
     const int count = static_cast<int>(vertices_.size());
     int index = 0;
     if (!TextLine::parse(word.substr(0, word.find('/')), index)) {
-      refuse("'" + std::string(word.substr(0, 40)) + "'", "the number of a vertex");
+      refuse(show_word(word), "the number of a vertex");
     }
-    const int vertex = index < 0 ? count + index : index - 1;
+    const int vertex = index < 0 ? seen_ + index : index - base_;
+    names_zero_ = names_zero_ || index == 0;
+    counts_back_ = counts_back_ || index < 0;
+    most_ = std::max(most_, index);
     if (vertex < 0 || vertex >= count) {
-      wrong_.add(make_error("vertex " + std::to_string(index), "1 to " + std::to_string(count)));
+      if (index > count) least_later_ = std::min(least_later_, index);
+      wrong_.add(make_error(
+          "vertex " + std::to_string(index),
+          count == 0 ? std::string("vertices that faces can name")
+                     : std::to_string(base_) + " to " + std::to_string(count - 1 + base_)));
       return -1;
     }
     return vertex;
@@ -169,6 +202,12 @@ class Obj {
   const std::string& path_;
   int number_ = 0;
   bool marked_ = false;
+  bool is_again_ = false;
+  int base_ = 1;                    // of the numbers of vertices
+  int seen_ = 0, seen_places_ = 0;  // above the line being taken
+  bool names_zero_ = false, counts_back_ = false;
+  int most_ = 0;                                       // the highest that a face names
+  int least_later_ = std::numeric_limits<int>::max();  // that was not there yet
   Skipped skipped_;
   WrongFaces wrong_;
   long faces_ = 0;
@@ -197,20 +236,35 @@ int take_whole_line(TextFile& in, std::string& line) {
   return taken;
 }
 
-}  // namespace
-
-std::optional<ImportedScene> read_obj(const std::string& path) {
+/// Hands each line and its number to `take`; false once one is no text.
+template <class Take>
+bool take_lines(const std::string& path, Take take) {
   TextFile in(path);
-  Obj obj(path);
   int number = 1;
   for (std::string line; in.take_line(line);) {
     if (number == 1) drop_byte_order_mark(line);
     const int taken = take_whole_line(in, line);
-    if (line.find('\0') != std::string::npos) return std::nullopt;
-    obj.take_line(line, number);
+    if (line.find('\0') != std::string::npos) return false;
+    take(line, number);
     number += taken;
   }
-  return obj.finish();
+  return true;
+}
+
+}  // namespace
+
+std::optional<ImportedScene> read_obj(const std::string& path) {
+  Obj obj(path);
+  const auto take_line = [](Obj& to) {
+    return [&to](const std::string& line, int number) { to.take_line(line, number); };
+  };
+  if (!take_lines(path, take_line(obj))) return std::nullopt;
+  if (!obj.counts_from_zero() && !obj.names_later_ones()) return obj.finish();
+  Obj again(path);
+  again.begin_again(obj.counts_from_zero() ? 0 : 1);
+  take_lines(path, [&](const std::string& line, int number) { again.take_points(line, number); });
+  take_lines(path, take_line(again));
+  return again.finish();
 }
 
 }  // namespace palpate::authoring

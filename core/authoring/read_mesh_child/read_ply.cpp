@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <bit>
+#include <cctype>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -25,6 +27,12 @@ class Body {
   Body(const std::string& path, const std::string& bytes, const PlyHeader& header)
       : path_(path), bytes_(bytes), order_(header.order), at_(header.end), lines_(header.lines) {}
 
+  /// Back to where the numbers begin.
+  void rewind(const PlyHeader& header) {
+    at_ = header.end;
+    lines_ = header.lines;
+  }
+
   /// The row of an element that is taken next: in text it begins a line.
   void begin_row(const PlyElement& element, long row) {
     element_ = &element;
@@ -45,8 +53,7 @@ class Body {
       const std::string_view word = line_.take_word();
       if (TextLine::parse(word, value)) return value;
       if (word.empty() && at_ >= bytes_.size()) refuse(kEnd, say_row());
-      refuse(word.empty() ? "the end of the line" : "'" + std::string(word.substr(0, 40)) + "'",
-             say_row());
+      refuse(word.empty() ? "the end of the line" : show_word(word), say_row());
     }
     const auto bytes = static_cast<std::size_t>(type.bytes);
     if (bytes > bytes_.size() - at_) refuse(kEnd, say_row());
@@ -105,15 +112,29 @@ class Body {
   long row_ = 0;
 };
 
+bool equal_letters(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+/// In any case, as some programs write them.
+bool is_called(const PlyProperty& property, std::string_view name) {
+  return std::equal(property.name.begin(), property.name.end(), name.begin(), name.end(),
+                    equal_letters);
+}
+
 /// Where three properties of these names stand in an element's rows; none where one is missing.
 std::optional<std::array<std::size_t, 3>> find_three(const PlyElement& element,
                                                      const std::array<const char*, 3>& names) {
   std::array<std::size_t, 3> places{};
   for (int i = 0; i < 3; ++i) {
     const auto& all = element.properties;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const PlyProperty& p) {
-      return p.name == names[i] && !p.count;
-    });
+    auto found = std::find_if(all.begin(), all.end(),
+                              [&](const PlyProperty& p) { return p.name == names[i] && !p.count; });
+    if (found == all.end()) {
+      found = std::find_if(all.begin(), all.end(), [&](const PlyProperty& p) {
+        return is_called(p, names[i]) && !p.count;
+      });
+    }
     if (found == all.end()) return std::nullopt;
     places[i] = static_cast<std::size_t>(found - all.begin());
   }
@@ -138,14 +159,12 @@ class Ply {
       : path_(path), header_(read_ply_header(path, bytes)), body_(path, bytes, header_) {}
 
   ImportedScene read() {
-    for (const PlyElement& element : header_.elements) {
-      if (element.name == "vertex") {
-        take_vertices(element);
-      } else if (element.name == "face" || element.name == "tristrips") {
-        take_faces(element);
-      } else {
-        for (long row = 0; row < element.count; ++row) take_row(element, row, nullptr);
-      }
+    if (has_faces_first()) {
+      take_elements(true, false);
+      body_.rewind(header_);
+      take_elements(false, true);
+    } else {
+      take_elements(true, true);
     }
     ImportedScene scene{};
     if (short_ > 0) {
@@ -169,6 +188,29 @@ class Ply {
   }
 
  private:
+  static bool has_faces(const PlyElement& element) {
+    return element.name == "face" || element.name == "tristrips";
+  }
+
+  /// Whether faces stand before the vertices that they name.
+  bool has_faces_first() const {
+    const auto& all = header_.elements;
+    const auto faces = std::find_if(all.begin(), all.end(), has_faces);
+    return std::any_of(faces, all.end(), [](const PlyElement& e) { return e.name == "vertex"; });
+  }
+
+  void take_elements(bool vertices, bool faces) {
+    for (const PlyElement& element : header_.elements) {
+      if (element.name == "vertex" && vertices) {
+        take_vertices(element);
+      } else if (has_faces(element) && faces) {
+        take_faces(element);
+      } else {
+        for (long row = 0; row < element.count; ++row) take_row(element, row, nullptr);
+      }
+    }
+  }
+
   /// The numbers of a row; lists are passed over, but for `list`, which is kept in corners_.
   void take_row(const PlyElement& element, long row, const PlyProperty* list) {
     body_.begin_row(element, row);
@@ -202,7 +244,8 @@ class Ply {
   void take_faces(const PlyElement& element) {
     const PlyProperty* list = nullptr;
     for (const PlyProperty& property : element.properties) {
-      const bool is_named = property.name == "vertex_indices" || property.name == "vertex_index";
+      const bool is_named =
+          is_called(property, "vertex_indices") || is_called(property, "vertex_index");
       if (property.count && (list == nullptr || is_named)) list = &property;
     }
     if (list == nullptr) throw FileError(path_, "header", "faces without a list", "their corners");

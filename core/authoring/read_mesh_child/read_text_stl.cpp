@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <map>
@@ -32,6 +33,8 @@ class Words {
       if (!word.empty()) return word;
       if (!in_.take_line(line_)) return {};
       if (++number_ == 1) drop_byte_order_mark(line_);
+      // some programs fill the file up with them
+      std::replace(line_.begin(), line_.end(), '\0', ' ');
       rest_ = TextLine(line_);
     }
   }
@@ -51,9 +54,8 @@ class Words {
   }
 
   [[noreturn]] void refuse(std::string_view got, const std::string& expected) const {
-    throw FileError(
-        path_, "line " + std::to_string(number_),
-        got.empty() ? std::string(kTextEnd) : "'" + std::string(got.substr(0, 40)) + "'", expected);
+    throw FileError(path_, "line " + std::to_string(number_),
+                    got.empty() ? std::string(kTextEnd) : show_word(got), expected);
   }
 
  private:

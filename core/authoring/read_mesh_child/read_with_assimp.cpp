@@ -13,6 +13,7 @@
 #include "palpate/authoring/read_mesh_child/confine.h"
 #include "palpate/authoring/read_mesh_child/foreign_formats.h"
 #include "palpate/authoring/read_mesh_child/gltf_head.h"
+#include "palpate/authoring/read_mesh_child/print_unit.h"
 #include "palpate/authoring/read_mesh_child/private/paint_mesh.h"
 
 namespace palpate::authoring {
@@ -170,9 +171,32 @@ void take_fbx_units(const aiMetadata& data, ImportedScene& scene) {
   }
 }
 
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = ' ';
+  }
+  return text.substr(0, 200);
+}
+
+/// Of the files of printers, whose word for it assimp passes over.
+void take_print_unit(const std::string& path, const std::string& format, ImportedScene& scene) {
+  const std::pair<const char*, const char*> units[] = {
+      {"millimeter", "mm"}, {"micron", "um"}, {"centimeter", "cm"}, {"meter", "m"},
+      {"inch", "in"},       {"foot", "ft"},   {"feet", "ft"}};
+  const std::string said = read_print_unit(path, format);
+  for (const auto& [word, name] : units) {
+    if (said == word) scene.unit = name;
+  }
+  if (!scene.unit && !said.empty()) {
+    scene.notes.push_back("states a unit of '" + one_line(said).substr(0, 40) +
+                          "', which has no name here");
+  }
+}
+
 /// glTF is in metres with y up by its specification. assimp turns Collada and 3DS to y up, and
 /// Collada to metres, as it reads them.
-void take_units(const aiScene& from, const std::string& format, ImportedScene& scene) {
+void take_units(const aiScene& from, const std::string& path, const std::string& format,
+                ImportedScene& scene) {
   if (format == "GLB" || format == "GLTF" || format == "DAE") {
     scene.unit = "m";
     scene.up = "y";
@@ -180,14 +204,9 @@ void take_units(const aiScene& from, const std::string& format, ImportedScene& s
     scene.up = "y";
   } else if (format == "FBX" && from.mMetaData != nullptr) {
     take_fbx_units(*from.mMetaData, scene);
+  } else if (format == "3MF" || format == "AMF") {
+    take_print_unit(path, format, scene);
   }
-}
-
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = ' ';
-  }
-  return text.substr(0, 200);
 }
 
 }  // namespace
@@ -229,7 +248,7 @@ ImportedScene read_with_assimp(const std::string& path, const std::string& forma
   Walk walk(path, *from, is_gltf);
   walk.visit(*from->mRootNode, Eigen::Matrix4d::Identity(), 0);
   walk.finish(scene);
-  take_units(*from, format, scene);
+  take_units(*from, path, format, scene);
   for (const std::string& file : outside) {
     scene.notes.push_back("did not open " + one_line(file) + ", which lies outside of its folder");
   }

@@ -17,6 +17,15 @@ inline void drop_byte_order_mark(std::string& line) {
   if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
 }
 
+/// The beginning of a word in quotes, as a sentence may show it on a terminal.
+inline std::string show_word(std::string_view word) {
+  std::string shown(word.substr(0, 40));
+  for (char& c : shown) {
+    if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126) c = '?';
+  }
+  return "'" + shown + "'";
+}
+
 /// Takes words and numbers off the front of a line.
 class TextLine {
  public:

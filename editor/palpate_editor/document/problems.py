@@ -60,6 +60,8 @@ class SurfaceFacts:
     """[m] of the bounding box."""
     inner_shells: int = 0
     """Pieces that are not seen from outside."""
+    doubled_shells: int = 0
+    """Closed pieces that lie inside of others and face outwards too: their volume counts twice."""
     thinnest: float | None = None
     """[m] of the body behind a triangle; None where none ends there."""
     thin_share: float = 0.0

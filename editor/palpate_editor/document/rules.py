@@ -154,7 +154,16 @@ def find_repair_problems(organ: Organ, facts: Facts) -> Iterator[Problem]:
         yield repair_problem(
             "inner",
             "warning",
-            phrase("{count} pieces inside others, not seen from outside", count=found.inner_shells),
+            phrase(
+                "{count} pieces inside others, not seen from outside; {doubled} of them face "
+                "outwards too: they count twice in the volume and are filled hollow",
+                count=found.inner_shells,
+                doubled=found.doubled_shells,
+            )
+            if found.doubled_shells
+            else phrase(
+                "{count} pieces inside others, not seen from outside", count=found.inner_shells
+            ),
             phrase("the outer surface alone, which is what is touched"),
         )
     yield from find_hole_problems(organ, found)

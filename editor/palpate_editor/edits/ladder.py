@@ -25,6 +25,7 @@ from palpate_editor.edits.edit import Edit, EditError, find_surface
 from palpate_editor.edits.fill_holes import FillHoles
 from palpate_editor.edits.fins import DropFins
 from palpate_editor.edits.inspected import inspect_surface, mesh_of
+from palpate_editor.edits.nested import DropDoubled, find_doubled
 from palpate_editor.edits.orient import METRES, SetUnit
 from palpate_editor.edits.repair import (
     CutCrowdedEdges,
@@ -162,6 +163,14 @@ def choose_largest(state: State) -> Edit | None:
     return KeepLargestShell() if lies_inside(state.surface, largest) else None
 
 
+def choose_nested(state: State) -> Edit | None:
+    """Pieces inside of others that face outwards too, of a surface that is sound."""
+    report = state.report
+    if report.shells == 1 or report.border_loops or not state.is_manifold or state.crosses:
+        return None
+    return DropDoubled() if find_doubled(state.surface).any() else None
+
+
 def choose_wrapping(state: State) -> Edit | None:
     """Where nothing else has made it a surface that a tissue can be built on."""
     return Wrap(past_holes=True) if state.crosses or not state.is_manifold else None
@@ -187,6 +196,7 @@ RUNGS: tuple[Callable[[State], Edit | None], ...] = (
     choose_largest,
     choose_wrapping,
     choose_turning,
+    choose_nested,
 )
 """From the bottom to the top."""
 
@@ -260,10 +270,21 @@ def find_left(state: State) -> Iterator[Phrase]:
     if report.self_intersecting_faces != 0:
         yield say_left(state.surface)
     if report.border_loops:
-        yield phrase(
-            "{count} holes that are no damage, or that no patch fits: a hollow organ or a sheet "
-            "has them",
-            count=len(report.border_loops),
-        )
+        yield from say_holes(state)
     if report.shells > 1:
         yield phrase("{count} pieces that nothing holds together", count=report.shells)
+
+
+def say_holes(state: State) -> Iterator[Phrase]:
+    """Those that were left as they are, and those that could not be filled."""
+    damage = 0 if has_chosen_wall(state.organ) else len(list(find_damage(state.surface)))
+    others = len(state.report.border_loops) - damage
+    if others:
+        yield phrase(
+            "{count} holes that are no damage: a hollow organ or a sheet has them", count=others
+        )
+    if damage:
+        yield phrase(
+            "{count} small holes that no patch fits: it would touch another hole or the surface",
+            count=damage,
+        )

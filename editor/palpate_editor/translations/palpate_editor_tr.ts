@@ -4133,6 +4133,10 @@ Beklenen: {expected}.</translation>
         <translation>Küçük parçaları at</translation>
     </message>
     <message>
+        <source>Drop pieces that are counted twice</source>
+        <translation>İki kez sayılan parçaları at</translation>
+    </message>
+    <message>
         <source>Remove crossings</source>
         <translation>Kesişmeleri gider</translation>
     </message>
@@ -5440,8 +5444,12 @@ Beklenen: {expected}.</translation>
         <translation>{edge:.3g} mm kenarlarla {count} üçgen başkalarıyla kesişirdi: daha kısasını alın ya da önce kesişmeleri giderin.</translation>
     </message>
     <message>
-        <source>{count} holes that are no damage, or that no patch fits: a hollow organ or a sheet has them</source>
-        <translation>hasar olmayan ya da hiçbir yamanın uymadığı {count} delik: içi boş bir organda ya da bir tabakada bulunur</translation>
+        <source>{count} holes that are no damage: a hollow organ or a sheet has them</source>
+        <translation>hasar olmayan {count} delik: içi boş bir organda ya da bir tabakada bulunur</translation>
+    </message>
+    <message>
+        <source>{count} small holes that no patch fits: it would touch another hole or the surface</source>
+        <translation>hiçbir yamanın uymadığı {count} küçük delik: yama başka bir deliğe ya da yüzeye değerdi</translation>
     </message>
     <message>
         <source>There is nothing to repair that can be.</source>
@@ -5586,6 +5594,10 @@ Beklenen: {expected}.</translation>
     <message>
         <source>{count} edges at which neighbours face different sides</source>
         <translation>komşuların ayrı taraflara baktığı {count} kenar</translation>
+    </message>
+    <message>
+        <source>{count} pieces inside others, not seen from outside; {doubled} of them face outwards too: they count twice in the volume and are filled hollow</source>
+        <translation>ötekilerin içinde, dışarıdan görünmeyen {count} parça; {doubled} tanesi de dışa bakıyor: hacimde iki kez sayılır ve içi boş doldurulur</translation>
     </message>
     <message>
         <source>{count} pieces inside others, not seen from outside</source>

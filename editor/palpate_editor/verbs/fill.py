@@ -81,7 +81,11 @@ def run_fill(call: argparse.Namespace) -> Report:
     except ValueError as refused:
         where, found, expected = split_refusal(str(refused))
         raise Refusal(call.file, where, found, expected) from None
-    problems = [p for p in assess(organ).problems if p.key in OWN]
+    assessed = assess(organ)
+    facts = assessed.facts.surface
+    # what is filled hollow though it faces outwards
+    shown = {*OWN, "inner"} if facts is not None and facts.doubled_shells else {*OWN}
+    problems = [p for p in assessed.problems if p.key in shown]
     if call.out is not None:
         read.check(call.out)
         write_organ(call.out, organ)

@@ -664,6 +664,14 @@
         <translation>bir kenarda ya da köşede değen kabuklar</translation>
     </message>
     <message>
+        <source>states a unit of '%1', which has no name here</source>
+        <translation>burada adı olmayan bir birim bildiriyor: '%1'</translation>
+    </message>
+    <message>
+        <source>its faces count vertices from 0 and were read so</source>
+        <translation>yüzleri köşeleri 0'dan sayıyor ve öyle okundu</translation>
+    </message>
+    <message>
         <source>states a unit of %1 cm, which has no name here</source>
         <translation>%1 cm uzunluğunda bir birim bildirir, bunun burada adı yok</translation>
     </message>
