@@ -137,10 +137,10 @@ def write_layout(path: Path, history: History) -> None:
     try:
         for layout in (history.now, *history.before, *history.undone):
             require_sound(None, layout)
-        text = write_text(history)
+        text = encode(history)
         while len(text) > MOST_BYTES and history.before:
             history = replace(history, before=history.before[(len(history.before) + 1) // 2 :])
-            text = write_text(history)
+            text = encode(history)
     except Refusal as refusal:
         raise LayoutError(str(refusal)) from None
     except UnicodeEncodeError as problem:
@@ -151,7 +151,7 @@ def write_layout(path: Path, history: History) -> None:
     write_whole(path, text)
 
 
-def write_text(history: History) -> bytes:
+def encode(history: History) -> bytes:
     data = {"format": FORMAT, "version": VERSION}
     data |= {each.name: convert(getattr(history, each.name)) for each in fields(history)}
     return (json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
