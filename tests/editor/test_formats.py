@@ -297,7 +297,7 @@ def test_lines_of_an_obj_may_go_on_and_be_coloured(tmp_path):
 
 @pytest.mark.parametrize(
     ("last", "where", "got"),
-    [("f 1 2 9", "line 5", "vertex 9"), ("f 0 1 3", "line 5", "vertex 0"),
+    [("f 1 2 9", "line 5", "vertex 9"), ("f 0 1 3", "line 5", "vertex 3"),
      ("v 1 2", "line 5", "a vertex of 2 numbers"), ("v 1 b 2", "line 5", "'b'"),
      ("f 1 two 3", "line 5", "'two'"), ("f -9 2 3", "line 5", "vertex -9")],
 )  # fmt: skip
