@@ -7,10 +7,10 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import palpate
 from palpate.assessment.check_problem import ERROR, WARNING, Problem
-from palpate.runs.other_hands import find_least_handle
 
 INSIDE = 0.5
 """[-] Winding number, above which a point lies in what a surface encloses."""
@@ -29,9 +29,9 @@ def check_tools(scene: palpate.Scene, assessment: Mapping[str, Any]) -> Iterator
             text = f"got {write_point(trocar)}, which lies in an organ, expected a place outside"
             yield Problem(ERROR, f"{where}.{find_said(said)}", text)
         length = float(said.get("fulcrum_m", 0.0))
-        least = find_least_handle(scene, np.asarray(trocar))
+        least = measure_to_tissue(scene, np.asarray(trocar))
         if 0.0 < length < least:
-            text = f"got {length:g}, expected {least:.3f} or more, to reach the organ by the trocar"
+            text = f"got {length:g}, expected more than {least:.3f}: so far is the organ"
             yield Problem(ERROR, f"{where}.fulcrum_m", text)
 
 
@@ -45,13 +45,26 @@ def check_numbers(scene: palpate.Scene, rows: Mapping[str, int]) -> Iterator[Pro
             yield Problem(WARNING, f"tools.{name}.instrument", text)
 
 
-def is_in_tissue(scene: palpate.Scene, place: np.ndarray) -> bool:
+def is_in_tissue(scene: palpate.Scene, place: NDArray[np.float64]) -> bool:
     for body in scene.bodies:
         tissue = body.tissue
         x = np.asarray(palpate.compute_surface(tissue, tissue.rest_position))
         if palpate.compute_winding_number(np.asarray(tissue.triangles), x, place) > INSIDE:
             return True
     return False
+
+
+def measure_to_tissue(scene: palpate.Scene, place: NDArray[np.float64]) -> float:
+    """[m] From a place to what is nearest of any body's surface at rest."""
+    nearest = np.inf
+    for body in scene.bodies:
+        tissue = body.tissue
+        x = np.asarray(palpate.compute_surface(tissue, tissue.rest_position))
+        tree = palpate.AabbTree(x, np.asarray(tissue.triangles))
+        found = palpate.find_closest_point(tree, x, place)
+        if found is not None:
+            nearest = min(nearest, found.distance)
+    return float(nearest)
 
 
 def find_said(said: Mapping[str, Any]) -> str:
