@@ -34,17 +34,18 @@ def drop_fins(surface: Surface) -> Surface:
     """Fin by fin, the smallest first, for one may stand on another; the very same surface where
     there is none."""
     kept = np.ones(len(surface.triangles), bool)
-    most = DEBRIS * compute_areas(surface).sum()
-    while len(fin := find_fin(surface, kept, most)):
-        kept[fin] = False
+    areas = compute_areas(surface)
+    most = DEBRIS * areas.sum()
+    while len(fins := find_fins(surface, areas, kept, most)):
+        kept[fins] = False
     return surface if kept.all() else take(surface, kept)
 
 
-def find_fin(surface: Surface, kept: np.ndarray, most: float) -> np.ndarray:
-    """The triangles of the smallest fin among those that are left; empty for none.
+def find_fins(surface: Surface, areas: np.ndarray, kept: np.ndarray, most: float) -> np.ndarray:
+    """The triangles of the smallest fins among those that are left; empty for none.
 
     A fin hangs together by edges of two triangles, has a border, stands on an edge of more than
-    two that has two others, and has an area of at most `most` [m²].
+    two that has two others, and has an area of at most `most` [m²]. `areas` [m²] (triangles,).
     """
     rows = np.flatnonzero(kept)
     edge, times, _ = list_sides(surface.triangles[rows])
@@ -63,11 +64,34 @@ def find_fin(surface: Surface, kept: np.ndarray, most: float) -> np.ndarray:
     stands[pairs[:, 1]] = True
     # what is left at each of its edges is a surface that goes on, or is crowded still
     holds[pairs[left < 2, 1]] = False
-    areas = np.bincount(patch, compute_areas(surface)[rows], minlength=count)
-    fins = np.flatnonzero(free & stands & holds & (areas <= most))
-    if not len(fins):
-        return np.empty(0, int)
-    return rows[patch == fins[areas[fins].argmin()]]
+    sizes = np.bincount(patch, areas[rows], minlength=count)
+    fins = np.flatnonzero(free & stands & holds & (sizes <= most))
+    chosen = choose_apart(fins[np.argsort(sizes[fins], kind="stable")], sizes, pairs)
+    return rows[np.isin(patch, chosen)]
+
+
+def choose_apart(fins: np.ndarray, sizes: np.ndarray, pairs: np.ndarray) -> list[int]:
+    """Of fins, the smallest first, as many as would be found in this order one by one.
+
+    Where one is gone, only what meets at its edges is another: a fin that has none of these, and
+    beside which nothing smaller has one, is as it was, and so is all that would come before it.
+    `pairs` (n, 2) are edges of more than two triangles with the patches there.
+    """
+    edges_of: dict[int, list[int]] = {}
+    patches_at: dict[int, list[int]] = {}
+    for edge, patch in pairs.tolist():
+        edges_of.setdefault(patch, []).append(edge)
+        patches_at.setdefault(edge, []).append(patch)
+    chosen: list[int] = []
+    changed: set[int] = set()
+    for fin in fins.tolist():
+        around = {other for edge in edges_of[fin] for other in patches_at[edge]}
+        near = {edge for other in around if sizes[other] <= sizes[fin] for edge in edges_of[other]}
+        if changed & near:
+            break
+        chosen.append(fin)
+        changed.update(edges_of[fin])
+    return chosen
 
 
 def find_patches(count: int, edge: np.ndarray, times: np.ndarray) -> np.ndarray:
