@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import importlib
+import pkgutil
 from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
@@ -75,6 +77,15 @@ ON_A_BALL = replace(
     imported=None,
 )
 CROSSED = replace(make_organ().with_surface(pull_through(surface_of(150))), imported=None)
+DOUBLED = replace(
+    make_organ().with_surface(
+        Surface(
+            np.vstack([BALL.vertices, 0.5 * BALL.vertices]),
+            np.vstack([BALL.triangles, BALL.triangles + len(BALL.vertices)]),
+        )
+    ),
+    imported=None,
+)
 COARSE = surface_of(50)
 OWN = find_configuration(SPLEEN)
 DECIMATION = Decimation(150, 296, 50, 96, 30.0, 1e-4, 2e-4)
@@ -97,6 +108,7 @@ EXAMPLES = [
     (edits.StitchBorders(), UNWELDED),
     (edits.DropFins(), ON_A_BALL),
     (edits.DropPieces(0.4), IN_PIECES),
+    (edits.DropDoubled(), DOUBLED),
     (edits.RemoveCrossings(), CROSSED),
     (edits.Smooth(3), SPLEEN),
     (edits.Wrap(), SPLEEN),
@@ -308,3 +320,15 @@ def test_a_refused_edit_changes_nothing_and_says_why(edit, organ, sentence):
     )
     assert session.organ is organ
     assert session.history.count() == 0
+
+
+def test_every_edit_that_there_is_can_be_a_line_of_a_history():
+    """One that is not listed leaves no line, and the organ cannot be made again."""
+    found = set()
+    for module in pkgutil.iter_modules(edits.__path__, edits.__name__ + "."):
+        for kind in vars(importlib.import_module(module.name)).values():
+            own = isinstance(kind, type) and kind.__module__ == module.name
+            if own and isinstance(vars(kind).get("title"), str):
+                found.add(kind)
+
+    assert found and found <= set(EVERY_EDIT)

@@ -27,6 +27,7 @@ from palpate_editor.edits.history import read_line, write_down, write_line
 from palpate_editor.edits.import_mesh import ImportMesh, import_file, import_read
 from palpate_editor.edits.keep_outer import KeepOuter
 from palpate_editor.edits.name import SetName, SetTask
+from palpate_editor.edits.nested import DropDoubled
 from palpate_editor.edits.orient import SetUnit, SetUp
 from palpate_editor.edits.paint import PaintStiffness
 from palpate_editor.edits.prepare import Prepared, prepare
@@ -56,6 +57,7 @@ __all__ = [
     "CutDisagreement",
     "Decimate",
     "DecimateTo",
+    "DropDoubled",
     "DropFins",
     "DropPieces",
     "Edit",
@@ -118,6 +120,7 @@ EVERY_EDIT: tuple[type, ...] = (
     StitchBorders,
     DropFins,
     DropPieces,
+    DropDoubled,
     RemoveCrossings,
     Smooth,
     Wrap,
