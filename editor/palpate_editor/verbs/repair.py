@@ -14,6 +14,7 @@ from palpate_editor.check import describe_problem
 from palpate_editor.document import Organ
 from palpate_editor.edits import (
     CleanUp,
+    DropDoubled,
     DropFins,
     DropPieces,
     Edit,
@@ -84,6 +85,11 @@ def add_steps(parser: argparse.ArgumentParser) -> None:
     )
     told = f"drop pieces that have less than this part of the area; default: {SMALL:g}"
     add_step(parser, "--drop-pieces", "SHARE", told, usual=SMALL)
+    parser.add_argument(
+        "--drop-doubled",
+        action="store_true",
+        help="drop closed pieces inside of others that face outwards too and count twice",
+    )
     add_fill_holes(parser)
     told = f"take out triangles that cross others, for at most so long; default: {TIME:g}"
     add_step(parser, "--crossings", "SECONDS", told, usual=TIME)
@@ -150,6 +156,8 @@ def list_steps(call: argparse.Namespace, organ: Organ) -> list[tuple[str, Edit]]
         steps.append(("--drop-fins", DropFins()))
     if call.drop_pieces is not None:
         steps.append(("--drop-pieces", DropPieces(call.drop_pieces)))
+    if call.drop_doubled:
+        steps.append(("--drop-doubled", DropDoubled()))
     if call.fill_holes is not None:
         steps.append(("--fill-holes", choose_holes(call, organ)))
     if call.crossings is not None:

@@ -10,6 +10,7 @@ from typing import Any
 from palpate_editor.document import Organ
 from palpate_editor.edits import (
     CleanUp,
+    DropDoubled,
     DropFins,
     DropPieces,
     Remesh,
@@ -66,6 +67,7 @@ REPAIRS: dict[type, Callable[[Any, Organ, Path | str], Arguments | None]] = {
     StitchBorders: number_arguments("--stitch", "tolerance", "m"),
     DropFins: step_arguments("--drop-fins"),
     DropPieces: number_arguments("--drop-pieces", "share"),
+    DropDoubled: step_arguments("--drop-doubled"),
     RemoveCrossings: number_arguments("--crossings", "seconds"),
     Smooth: number_arguments("--smooth", "steps"),
     Wrap: number_arguments("--wrap", "alpha", "m"),
