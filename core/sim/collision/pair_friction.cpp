@@ -50,16 +50,6 @@ Vec3 measure_slide(const PointBristle& bristle, const Vec3& x,
   return slide;
 }
 
-void add_rubbing(const VertexContact& contact, int point, const Vec3& force,
-                 const TouchingSurface& points, const TouchingSurface& triangles) noexcept {
-  points.for_each_of(point, [&](int v, double w) noexcept { points.add_force(v, w * force); });
-  const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
-  for (int c = 0; c < 3; ++c) {
-    const double w = contact.weights[c];
-    if (w != 0.0) triangles.add_force(corners[static_cast<std::size_t>(c)], -w * force);
-  }
-}
-
 }  // namespace
 
 PointBristles::PointBristles(double friction_in, std::size_t count) : friction(friction_in) {
@@ -115,7 +105,7 @@ FrictionSum rub_contacts(const TouchingSurface& points, const TouchingSurface& t
     const Vec3 along = stretch - contact.normal.dot(stretch) * contact.normal - slip;
     bristle = {bristles.substep, contact.triangle, contact.weights, rubbing.offset, along};
     bristles.rubbed[static_cast<std::size_t>(bristles.rubbed_count++)] = point;
-    add_rubbing(contact, point, force, points, triangles);
+    add_force(contact, point, force, points, triangles);
     sum.force -= force;
     sum.energy += 0.5 * stiffness * along.squaredNorm();
   }

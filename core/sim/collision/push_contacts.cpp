@@ -53,17 +53,6 @@ void add_impulse(const VertexContact& contact, int vertex, const Vec3& j,
   }
 }
 
-/// Likewise a force.
-void add_force(const VertexContact& contact, int vertex, const Vec3& force,
-               const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
-  vertices.for_each_of(vertex, [&](int v, double w) noexcept { vertices.add_force(v, w * force); });
-  const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
-  for (int c = 0; c < 3; ++c) {
-    const double w = contact.weights[c];
-    if (w != 0.0) triangles.add_force(corners[static_cast<std::size_t>(c)], -w * force);
-  }
-}
-
 /// [N/m] By which a contact answers to its gap, as stiff as it gets in this tick; with damping, by
 /// the step that it allows: dt <= 2/w (sqrt(1 + z²) - z), and z = zeta w0/w of w0 without a gap.
 double bound_slope(const SurfaceContacts& contacts, double gap, double area) noexcept {

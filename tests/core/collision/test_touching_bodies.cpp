@@ -16,6 +16,7 @@
 #include "palpate/sim/tick/private/follow_tissue.h"
 #include "palpate/sim/tick/private/world_internals.h"
 #include "scenes/layers.h"
+#include "scenes/thrown.h"
 #include "skip.h"
 
 using namespace palpate;
@@ -41,15 +42,6 @@ Scene make_cubes(double gap, bool may_touch = true) {
 }
 
 /// Throws a body.
-void set_velocity(const Scene& scene, std::size_t b, const Vec3& velocity, World& world) {
-  SoftState& state = world.bodies[b];
-  std::ranges::fill(state.tissue.velocity, velocity);
-  if (PackedKernel* packed = find_packed(state)) {
-    take_over(*packed->model, scene.bodies[b].tissue, state.tissue, packed->state);
-  }
-  state.guard = Guard(scene.bodies[b].tissue, scene.gravity, state.tissue);
-}
-
 Vec3 sum_momentum(const Scene& scene, const World& world, std::size_t b) {
   Vec3 sum = Vec3::Zero();
   const State& tissue = world.bodies[b].tissue;
@@ -108,20 +100,6 @@ TEST_CASE("S4: a thrown body hands its momentum to the one it meets, and neither
     CHECK(kinetic <= 1.001 * energy);
     CHECK(count_inside(scene, world, 0, 1) == 0);
   }
-}
-
-/// A small body that is thrown, over a block that is held at its rim.
-Scene make_thrown(double gap) {
-  Scene scene;
-  scene.bodies.resize(2);
-  for (SoftBody& body : scene.bodies) body.kernel = kernel_under_test();
-  scene.bodies[0].tissue =
-      make_soft_block({0.008, 0.008, 0.002}, {4, 4, 1}, 2e4, {0.0005, 0.001, gap + 0.006}, false);
-  scene.bodies[1].tissue = make_soft_block({0.04, 0.04, 0.01}, {8, 8, 2}, 2e4, Vec3::Zero(), true);
-  scene.bodies[0].tissue.drag = 0.0;
-  scene.instruments[0].tool.radius = 0.003;
-  scene.body_pairs.resize(1);
-  return scene;
 }
 
 TEST_CASE("what flies farther in a tick than bodies are looked at does not come through") {

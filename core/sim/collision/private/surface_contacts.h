@@ -28,6 +28,18 @@ struct VertexContact {
   double gap = 0.0;             ///< [m] along it, below 0 where the vertex has come through
 };
 
+/// A force [N] on the vertex of a contact, or what another point follows, and -force on the
+/// triangle.
+inline void add_force(const VertexContact& contact, int vertex, const Vec3& force,
+                      const TouchingSurface& vertices, const TouchingSurface& triangles) noexcept {
+  vertices.for_each_of(vertex, [&](int v, double w) noexcept { vertices.add_force(v, w * force); });
+  const Triangle& corners = triangles.tissue.triangles[static_cast<std::size_t>(contact.triangle)];
+  for (int c = 0; c < 3; ++c) {
+    const double w = contact.weights[c];
+    if (w != 0.0) triangles.add_force(corners[static_cast<std::size_t>(c)], -w * force);
+  }
+}
+
 /// Vertices of one surface that may touch the triangles of another, or of the same.
 ///
 /// A vertex has two lists: of all triangles that it may come to touch before it is looked at again,
