@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 LISTED = 12
 """Dropped pieces that a note names, the largest first."""
 
@@ -19,6 +21,14 @@ class Dropped:
     """[m] from corner to corner."""
     middle: tuple[float, float, float]
     """[m] of its box."""
+
+
+def measure_dropped(corners: np.ndarray) -> Dropped:
+    """Of the corners (t, 3, 3) [m] of its triangles."""
+    points = corners.reshape(-1, 3)
+    low, high = points.min(axis=0), points.max(axis=0)
+    x, y, z = (float(c) for c in 0.5 * (low + high))
+    return Dropped(len(corners), float(np.linalg.norm(high - low)), (x, y, z))
 
 
 def list_dropped(dropped: Sequence[Dropped], which: str) -> str:

@@ -12,7 +12,7 @@ import palpate
 from palpate_editor import authoring
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.carry import carry_paint
-from palpate_editor.edits.dropped import Dropped, list_dropped
+from palpate_editor.edits.dropped import Dropped, list_dropped, measure_dropped
 from palpate_editor.edits.edit import EditError, find_surface
 
 SEEN = 0.05
@@ -58,20 +58,12 @@ def keep_outer(surface: Surface) -> Outer:
     if kept.all():
         return Outer(surface, ())
     pieces = [
-        describe_piece(x[triangles[shells == shell]], float(exposed[shell]))
+        Piece(**vars(measure_dropped(x[triangles[shells == shell]])), exposed=float(exposed[shell]))
         for shell in np.unique(shells[~kept])
     ]
     pieces.sort(key=lambda piece: -piece.size)
     used, numbers = np.unique(triangles[kept], return_inverse=True)
     return Outer(Surface(x[used], numbers.reshape(-1, 3)), tuple(pieces))
-
-
-def describe_piece(corners: np.ndarray, exposed: float) -> Piece:
-    """Of the corners (t, 3, 3) [m] of its triangles."""
-    points = corners.reshape(-1, 3)
-    low, high = points.min(axis=0), points.max(axis=0)
-    x, y, z = (float(c) for c in 0.5 * (low + high))
-    return Piece(len(corners), float(np.linalg.norm(high - low)), (x, y, z), exposed)
 
 
 @dataclass(frozen=True)

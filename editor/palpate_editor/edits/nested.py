@@ -11,7 +11,7 @@ import palpate
 
 from palpate_editor.document import Organ, Surface, phrase
 from palpate_editor.edits.clean import measure_pieces, put_in_place, take
-from palpate_editor.edits.dropped import Dropped, list_dropped
+from palpate_editor.edits.dropped import list_dropped, measure_dropped
 from palpate_editor.edits.edit import EditError, find_surface
 
 INSIDE = 0.75
@@ -70,13 +70,10 @@ class DropDoubled:
             raise EditError(phrase("No piece of the surface lies inside of others."))
         shells = np.asarray(palpate.find_shells(len(surface.vertices), surface.triangles))
         shells = shells[surface.triangles[:, 0]]
-        dropped = []
-        for shell in np.unique(shells[doubled]):
-            points = surface.vertices[surface.triangles[shells == shell]].reshape(-1, 3)
-            low, high = points.min(axis=0), points.max(axis=0)
-            x, y, z = (float(c) for c in 0.5 * (low + high))
-            size = float(np.linalg.norm(high - low))
-            dropped.append(Dropped(len(points) // 3, size, (x, y, z)))
+        dropped = [
+            measure_dropped(surface.vertices[surface.triangles[shells == shell]])
+            for shell in np.unique(shells[doubled])
+        ]
         dropped.sort(key=lambda piece: -piece.size)
         changed = put_in_place(organ, drop)
         said = list_dropped(dropped, "inner {piece}")
